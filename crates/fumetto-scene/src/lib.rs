@@ -1,0 +1,25 @@
+//! The Fumetto document: what a scene is, how it is written down, and what is wrong with it.
+//!
+//! This crate knows no GPU and opens no file.
+
+mod camera;
+mod colour;
+mod curve;
+mod light;
+mod object;
+mod particle;
+mod puffs;
+mod scene;
+mod smoke;
+mod style;
+
+pub use camera::Camera;
+pub use colour::Colour;
+pub use curve::Curve;
+pub use light::{Light, LightKind};
+pub use object::{Matter, Object};
+pub use particle::Particle;
+pub use puffs::Puffs;
+pub use scene::{Background, Output, Scene, Time};
+pub use smoke::{Burst, Emitter, EmitterShape, Force, Smoke};
+pub use style::{Ink, Ramp, Shading, Shadow, Style, Tone, Width};

@@ -1,0 +1,29 @@
+use crate::{Particle, Puffs, Smoke, Style};
+
+/// A thing in the scene: matter, its shape, and how it is drawn.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Object {
+    /// Unique in the scene.
+    pub name: String,
+    /// Whether it is drawn.
+    pub visible: bool,
+    /// What it is made of.
+    pub matter: Matter,
+    /// How its matter gets a shape.
+    pub puffs: Puffs,
+    /// How it is drawn: the scene's style with the object's changes.
+    pub style: Style,
+    /// Flat transparency of the whole object, from 0 to 1 (opaque).
+    pub opacity: f32,
+}
+
+/// What an object is made of.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Matter {
+    /// Particles that the scene lists.
+    Still(Vec<Particle>),
+    /// Particles in a PLY or CSV file; `####` or `{}` in the path numbers a sequence by frame.
+    File(String),
+    /// Particles that emitters make and forces move.
+    Smoke(Smoke),
+}

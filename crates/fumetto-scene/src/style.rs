@@ -1,0 +1,97 @@
+use crate::Colour;
+
+/// How an object is drawn.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Style {
+    /// From light to colour.
+    pub ramp: Ramp,
+    /// How far normals bend from the puff's own (0) to the whole cloud's (1).
+    pub form: f32,
+    /// Width of the lobes that `form` sees, in mean particle radii; above zero.
+    pub form_scale: f32,
+    /// How far light reaches round the terminator: 0 is Lambert's, 1 lights all but the far pole.
+    pub wrap: f32,
+    /// Flat tones smaller than this many pixels join their surroundings; 0 keeps all.
+    pub clean_px: f32,
+    /// How tones get onto puffs.
+    pub shading: Shading,
+    /// Lines.
+    pub ink: Ink,
+    /// The shadows that the object throws on itself and others.
+    pub shadow: Shadow,
+    /// Height of the picture, in pixels, for which lengths in pixels are meant; at other sizes they
+    /// scale with it.
+    pub height_px: f32,
+}
+
+/// From the amount of light, 0 to 1, to a flat colour.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Ramp {
+    /// Dark to light, 1 to 32.
+    Tones(Vec<Tone>),
+    /// A PNG whose columns run from dark to light.
+    Image(String),
+}
+
+/// One flat colour.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tone {
+    /// What is drawn.
+    pub colour: Colour,
+    /// From this amount of light upward; 0 for the darkest, rising from tone to tone.
+    pub from: f32,
+}
+
+/// How tones get onto puffs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shading {
+    /// Whichever of the others is faster and looks the same.
+    Auto,
+    /// Light is worked out for every pixel.
+    PerPixel,
+    /// Puffs are shaded once a frame and then copied (McGuire's fixed-function variant): suns only,
+    /// and `form` counts as 0.
+    PreShaded,
+}
+
+/// Lines.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ink {
+    /// Whether there are any.
+    pub on: bool,
+    /// Their colour.
+    pub colour: Colour,
+    /// How wide the outline is.
+    pub width: Width,
+    /// How far the ink billboard lies behind its particle, in widths of the particle: the larger,
+    /// the fewer inner lines (McGuire's *d*).
+    pub offset: f32,
+    /// Width of inner lines over the outline's, 0 to 1.
+    pub inner: f32,
+    /// How much thinner lines are where they face the light, 0 to 1.
+    pub lit_thinning: f32,
+    /// Lines shorter than this many widths are left out.
+    pub shortest: f32,
+}
+
+/// Width of a line.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Width {
+    /// In pixels at [`Style::height_px`].
+    Px(f32),
+    /// In metres.
+    World(f32),
+}
+
+/// Hard shadows.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Shadow {
+    /// Whether the object throws any.
+    pub on: bool,
+    /// Length of a puff's shadow in its radii.
+    pub reach: f32,
+    /// How far behind a puff its shadow begins, in its radii.
+    pub start: f32,
+    /// Width of the shadow over the puff's, above 0.
+    pub size: f32,
+}
