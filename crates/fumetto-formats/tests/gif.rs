@@ -109,8 +109,8 @@ fn kept_colours_beyond_the_palette_give_way_to_larger_ones() {
     let mut writer = GifWriter::new(Vec::new(), 2, 500, 24.0, false, &keep).unwrap();
     writer.push(&image).unwrap();
     let decoded = decode(&writer.finish().unwrap());
-    for y in 0..256 {
-        assert_eq!(decoded.frames[0][2 * y], opaque(rows[y]));
+    for (drawn, shown) in rows.into_iter().zip(decoded.frames[0].chunks(2)).take(256) {
+        assert_eq!(shown, [opaque(drawn); 2]);
     }
 }
 

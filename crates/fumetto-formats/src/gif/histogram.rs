@@ -26,24 +26,25 @@ impl Histogram {
         let mut counts = Vec::new();
         let mut places = FxHashMap::default();
         // Drawings hold long runs of one colour: those are looked up once.
-        let mut run = ([0; 4], CLEAR);
+        let mut run = None;
         let mut of_pixel = Vec::with_capacity(image.pixels.len() / 4);
-        for rgba in image.rgba() {
-            if transparent && rgba[3] < OPAQUE_ALPHA {
+        for [r, g, b, alpha] in image.rgba() {
+            if transparent && alpha < OPAQUE_ALPHA {
                 of_pixel.push(CLEAR);
                 continue;
             }
-            if run != (rgba, run.1) || run.1 == CLEAR {
-                let [r, g, b, _] = rgba;
-                let place = *places.entry([r, g, b]).or_insert_with(|| {
-                    colours.push([r, g, b]);
+            let colour = [r, g, b];
+            let place = match run {
+                Some((same, place)) if same == colour => place,
+                _ => *places.entry(colour).or_insert_with(|| {
+                    colours.push(colour);
                     counts.push(0);
                     colours.len() as u32 - 1
-                });
-                run = (rgba, place);
-            }
-            counts[run.1 as usize] += 1;
-            of_pixel.push(run.1);
+                }),
+            };
+            run = Some((colour, place));
+            counts[place as usize] += 1;
+            of_pixel.push(place);
         }
         Self { colours, counts, of_pixel }
     }

@@ -51,8 +51,8 @@ pub(super) fn read(file: &str, bytes: &[u8]) -> Result<ParticleTable, FormatErro
                 allowed: MAX_PARTICLES,
             });
         }
-        let position =
-            Position::Line(lines.row_after(row.position().map_or(0, csv::Position::byte) as usize));
+        let start = row.position().map_or(0, csv::Position::byte);
+        let position = Position::Line(lines.row_after(start as usize));
         if row.len() != columns.count() {
             return Err(uneven(file, position, row.len(), columns.count()));
         }
