@@ -2,6 +2,7 @@
 
 mod camera;
 mod colour;
+mod cost;
 mod curve;
 mod light;
 mod object;
@@ -13,6 +14,7 @@ mod style;
 
 pub use camera::Camera;
 pub use colour::Colour;
+pub use cost::ObjectCost;
 pub use curve::Curve;
 pub use light::{Light, LightKind};
 pub use object::{Matter, Object};

@@ -95,3 +95,41 @@ pub struct Shadow {
     /// Width of the shadow over the puff's, above 0.
     pub size: f32,
 }
+
+/// What a style is before any preset or file has said otherwise.
+impl Default for Style {
+    fn default() -> Self {
+        let tone = |srgb, from| Tone { colour: Colour::from_srgb8(srgb), from };
+        Self {
+            ramp: Ramp::Tones(vec![tone([0x80; 3], 0.0), tone([0xff; 3], 0.5)]),
+            form: 0.0,
+            form_scale: 3.0,
+            wrap: 0.0,
+            clean_px: 0.0,
+            shading: Shading::Auto,
+            ink: Ink::default(),
+            shadow: Shadow::default(),
+            height_px: 720.0,
+        }
+    }
+}
+
+impl Default for Ink {
+    fn default() -> Self {
+        Self {
+            on: true,
+            colour: Colour::from_srgb8([0; 3]),
+            width: Width::Px(2.0),
+            offset: 1.0,
+            inner: 1.0,
+            lit_thinning: 0.0,
+            shortest: 0.0,
+        }
+    }
+}
+
+impl Default for Shadow {
+    fn default() -> Self {
+        Self { on: true, reach: 8.0, start: 0.5, size: 0.8 }
+    }
+}

@@ -1,0 +1,139 @@
+use std::collections::HashMap;
+
+use super::values::{colour, cross, direction, length, unit};
+use super::{At, Styles, object::object};
+use crate::file::{BackgroundFile, CameraFile, LightFile, SceneFile, TimeFile};
+use crate::limits::{MAX_LIGHTS, MAX_OBJECTS, MIN_DIRECTION, MIN_UP_SINE};
+use crate::{Background, Camera, Light, LightKind, Output, Scene, Time};
+
+/// The scene that `file` describes.
+pub(crate) fn scene(at: &At<'_>, file: &SceneFile, styles: &mut Styles<'_>) -> Scene {
+    let style = styles.scene_style(&at.key("style"), &file.style);
+    let time = time(&at.key("time"), &file.time);
+    let objects = file.object.iter().enumerate();
+    let objects = objects
+        .map(|(i, one)| object(&at.key("object").item(i), one, &style, time.step_secs(), styles))
+        .collect();
+    let names = file.object.iter().map(|object| object.name.as_str());
+    unique_names(&at.key("object"), names, "object");
+    at_most(&at.key("object"), file.object.len(), MAX_OBJECTS, "join some: an object may have many emitters");
+    if file.object.is_empty() {
+        let help = "add an [[object]] with a `name` and a `kind`";
+        at.key("object").warning("no-object", "the scene has no object, so nothing is drawn".into(), help);
+    }
+    let output = Output { size: file.output.size, antialias: file.output.antialias };
+    Scene {
+        seed: file.seed,
+        cameras: cameras(&at.key("camera"), file),
+        lights: lights(&at.key("light"), &file.light),
+        background: background(&at.key("background"), file.background.as_ref()),
+        time,
+        output,
+        objects,
+    }
+}
+
+fn cameras(at: &At<'_>, file: &SceneFile) -> Vec<Camera> {
+    let files = file.camera.as_ref().map_or(&[][..], |cameras| cameras.as_slice());
+    if files.is_empty() {
+        let help = "add a [camera] with `eye` and `target`";
+        at.error("no-camera", "the scene has no camera".into(), help);
+    }
+    unique_names(at, files.iter().map(|camera| camera.name.as_str()), "camera");
+    files.iter().enumerate().map(|(i, file)| camera(&at.item(i), file)).collect()
+}
+
+fn camera(at: &At<'_>, file: &CameraFile) -> Camera {
+    let sight = [0, 1, 2].map(|i| file.target[i] - file.eye[i]);
+    let up = direction(&at.key("up"), file.up);
+    if length(sight) < MIN_DIRECTION {
+        let message = "`target` is where `eye` is, so the camera looks nowhere".to_owned();
+        at.key("target").error("no-line-of-sight", message, "move one of them");
+    } else if length(up) >= MIN_DIRECTION {
+        if length(cross(unit(sight), unit(up))) < MIN_UP_SINE {
+            let message = "`up` runs along the line of sight from `eye` to `target`".to_owned();
+            let help = "for a camera that looks straight down, write up = [0, 0, -1]";
+            let at_up = at.key("up");
+            (if at_up.exists() { at_up } else { at.key("target") }).error("up-along-sight", message, help);
+        }
+    }
+    Camera {
+        name: file.name.clone(),
+        eye: file.eye,
+        target: file.target,
+        up,
+        fov_deg: file.fov,
+        near: file.near,
+    }
+}
+
+fn lights(at: &At<'_>, files: &[LightFile]) -> Vec<Light> {
+    at_most(at, files.len(), MAX_LIGHTS, "leave out the weakest");
+    if files.is_empty() {
+        let help = "add a [[light]], as in: kind = \"sun\", direction = [-0.4, -1.0, -0.3]";
+        at.warning("no-light", "the scene has no light, so only the darkest tone is drawn".into(), help);
+    }
+    files.iter().enumerate().map(|(i, file)| light(&at.item(i), file)).collect()
+}
+
+fn light(at: &At<'_>, file: &LightFile) -> Light {
+    match *file {
+        LightFile::Sun { direction: way, intensity, shadow } => {
+            let kind = LightKind::Sun { direction: direction(&at.key("direction"), way) };
+            Light { kind, intensity, shadow }
+        }
+        LightFile::Point { position, intensity, shadow } => {
+            Light { kind: LightKind::Point { position }, intensity, shadow }
+        }
+    }
+}
+
+fn background(at: &At<'_>, file: Option<&BackgroundFile>) -> Background {
+    let Some(file) = file else { return Background::Transparent };
+    match file {
+        BackgroundFile { colour: Some(one), gradient: None, image: None } => {
+            Background::Colour(colour(&at.key("colour"), one))
+        }
+        BackgroundFile { colour: None, gradient: Some([top, bottom]), image: None } => {
+            let at = at.key("gradient");
+            Background::Gradient { top: colour(&at.item(0), top), bottom: colour(&at.item(1), bottom) }
+        }
+        BackgroundFile { colour: None, gradient: None, image: Some(path) } => Background::Image(path.clone()),
+        _ => {
+            let message = "`background` must have exactly one of `colour`, `gradient` and `image`";
+            let help = "for a transparent background leave [background] out altogether";
+            at.error("background-choice", message.into(), help);
+            Background::Transparent
+        }
+    }
+}
+
+fn time(at: &At<'_>, file: &TimeFile) -> Time {
+    let [first, last] = file.frames;
+    if first > last {
+        let message = format!("`frames` runs from {first} back to {last}");
+        at.key("frames").error("falling-range", message, format!("write [{last}, {first}]"));
+    }
+    Time { fps: file.fps, frames: file.frames, hold: file.hold, substeps: file.substeps }
+}
+
+fn unique_names<'n>(at: &At<'_>, names: impl Iterator<Item = &'n str>, what: &str) {
+    let mut first_with = HashMap::new();
+    for (i, name) in names.enumerate() {
+        let at = at.item(i).key("name");
+        if name.is_empty() {
+            at.error("empty-name", format!("the {what}'s name is empty"), "`--set` finds it by this name");
+        }
+        if let Some(first) = first_with.insert(name, i) {
+            let message = format!("two {what}s are named {name:?}: numbers {first} and {i}, counted from 0");
+            at.error("duplicate-name", message, "give each a `name` of its own");
+        }
+    }
+}
+
+fn at_most(at: &At<'_>, count: usize, most: usize, help: &str) {
+    if count > most {
+        let message = format!("there are {count} of `{}`, but at most {most} are allowed", at.name());
+        at.item(most).error("too-many", message, help);
+    }
+}

@@ -1,0 +1,18 @@
+//! The wire shape of a scene: what a TOML file may say, before anything is checked.
+//!
+//! The doc comments here are the descriptions in the JSON Schema, so they speak to people who write
+//! scenes: units, ranges and defaults.
+
+mod object;
+mod scene;
+mod smoke;
+mod style;
+mod values;
+
+pub use object::{ObjectFile, ObjectKind, ParticleFile, ParticlesFile, PuffsFile, ShapeFile};
+pub use scene::{BackgroundFile, CameraFile, LightFile, OutputFile, SceneFile, TimeFile};
+pub use smoke::{BurstFile, EmitterFile, EmitterShapeFile, ForceFile};
+pub use style::{
+    InkFile, PixelsFile, PlacedToneFile, ShadingFile, ShadowFile, StyleFile, ToneFile, WidthFile,
+};
+pub use values::{ColourFile, CurveFile, OneOrMany, RangeFile};

@@ -1,0 +1,114 @@
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::{EmitterFile, ForceFile, OneOrMany, StyleFile};
+use crate::limits;
+
+/// A thing in the scene: matter, its shape, and how it is drawn.
+#[derive(Clone, Debug, Deserialize, JsonSchema, PartialEq, Serialize)]
+#[serde(deny_unknown_fields)]
+pub struct ObjectFile {
+    /// What it is called; no two objects share a name.
+    pub name: String,
+    /// What it is made of.
+    pub kind: ObjectKind,
+    /// Whether it is drawn. Default true.
+    #[serde(default = "yes")]
+    pub visible: bool,
+    /// Flat transparency of the whole object, 0 (gone) to 1 (opaque). Default 1.
+    #[serde(default = "opaque")]
+    #[schemars(transform = &limits::SHARE)]
+    pub opacity: f32,
+    /// The particles of a `kind = "cloud"`: listed here, or a .ply or .csv file relative to the scene
+    /// file; `####` or `{}` in its name numbers a sequence by frame.
+    pub particles: Option<ParticlesFile>,
+    /// Where the particles of a `kind = "smoke"` come from: one table, or several `[[object.emitter]]`.
+    pub emitter: Option<OneOrMany<EmitterFile>>,
+    /// What moves the particles of a `kind = "smoke"`.
+    pub force: Option<Vec<ForceFile>>,
+    /// How the matter gets a shape. Default: puffs.
+    pub shape: Option<ShapeFile>,
+    /// How it is drawn: the scene's style with these changes.
+    pub style: Option<StyleFile>,
+}
+
+fn yes() -> bool {
+    true
+}
+
+fn opaque() -> f32 {
+    1.0
+}
+
+/// What an object is made of.
+#[derive(Clone, Copy, Debug, Deserialize, Eq, JsonSchema, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum ObjectKind {
+    /// Particles that emitters make and forces move.
+    Smoke,
+    /// Particles that are given.
+    Cloud,
+}
+
+/// Particles that are given.
+#[derive(Clone, Debug, Deserialize, JsonSchema, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum ParticlesFile {
+    /// The path of a .ply or .csv file.
+    Path(String),
+    /// One by one.
+    List(Vec<ParticleFile>),
+}
+
+/// A weighted particle: a soft ball of matter.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq, Serialize)]
+#[serde(deny_unknown_fields)]
+pub struct ParticleFile {
+    /// Where it is, in metres.
+    pub center: [f32; 3],
+    /// How far its matter reaches, in metres, above 0.
+    #[schemars(transform = &limits::LENGTH)]
+    pub radius: f32,
+    /// How much matter it holds, relative to its neighbours, above 0. Default 1.
+    #[serde(default = "mass")]
+    #[schemars(transform = &limits::MASS)]
+    pub mass: f32,
+}
+
+fn mass() -> f32 {
+    1.0
+}
+
+/// How matter gets a shape.
+#[derive(Clone, Debug, Deserialize, JsonSchema, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum ShapeFile {
+    /// Every particle is a billboard of one of a few pre-rendered bundles of balls.
+    Puffs(PuffsFile),
+}
+
+/// Bundles of balls.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq, Serialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct PuffsFile {
+    /// How many different puffs there are, 1 to 16. Default 4.
+    #[schemars(transform = &limits::VARIANTS)]
+    pub variants: u32,
+    /// What they are made from. Default 1.
+    pub seed: u32,
+    /// Balls in each puff, 1 to 256. Default 24.
+    #[schemars(transform = &limits::SPHERES)]
+    pub spheres: u32,
+    /// Width of a puff's picture in pixels: 16, 32, 64, 128, 256 or 512. Default 128.
+    #[schemars(transform = &limits::TILE_PX)]
+    pub tile: u32,
+    /// The puff's radius over the particle's radius, above 0. Default 1.
+    #[schemars(transform = &limits::SCALE)]
+    pub size: f32,
+}
+
+impl Default for PuffsFile {
+    fn default() -> Self {
+        Self { variants: 4, seed: 1, spheres: 24, tile: 128, size: 1.0 }
+    }
+}

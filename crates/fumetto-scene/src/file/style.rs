@@ -1,0 +1,137 @@
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::ColourFile;
+use crate::limits;
+
+/// How an object is drawn. Keys that are left out keep what the preset, or the scene's style, says.
+#[derive(Clone, Debug, Default, Deserialize, JsonSchema, PartialEq, Serialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct StyleFile {
+    /// A ready-made style to start from: "cartoon" (the default), "mcguire", "flat" or "no-ink".
+    pub preset: Option<String>,
+    /// A style file to start from, relative to the scene file; it holds the keys of this table.
+    pub file: Option<String>,
+    /// Flat colours from dark to light, 1 to 32: each a colour, or `{ colour = …, from = … }` with the
+    /// amount of light from which it is drawn. Excludes `ramp`.
+    pub tones: Option<Vec<ToneFile>>,
+    /// A PNG whose columns run from dark to light, relative to this file. Excludes `tones`.
+    pub ramp: Option<String>,
+    /// How far normals bend from the puff's own (0) to the whole cloud's (1).
+    #[schemars(transform = &limits::SHARE)]
+    pub form: Option<f32>,
+    /// Width of the lobes that `form` sees, in mean particle radii, above 0.
+    #[schemars(transform = &limits::SCALE)]
+    pub form_scale: Option<f32>,
+    /// How far light reaches round the terminator, from 0 (Lambert's law) to 1 (all but the far pole).
+    #[schemars(transform = &limits::SHARE)]
+    pub wrap: Option<f32>,
+    /// Flat tones smaller than this join their surroundings; 0 keeps all.
+    pub clean: Option<PixelsFile>,
+    /// How tones get onto puffs.
+    pub shading: Option<ShadingFile>,
+    /// Lines.
+    pub ink: Option<InkFile>,
+    /// The shadows that the object throws on itself and others.
+    pub shadow: Option<ShadowFile>,
+    /// Height of the picture, in pixels, for which lengths in pixels are meant; at other sizes they
+    /// scale with it.
+    #[schemars(transform = &limits::PICTURE_PX)]
+    pub height: Option<f32>,
+}
+
+/// One flat colour.
+#[derive(Clone, Debug, Deserialize, JsonSchema, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum ToneFile {
+    /// Six hexadecimal digits of sRGB after a `#`.
+    Hex(#[schemars(regex(pattern = "^#[0-9a-fA-F]{6}$"))] String),
+    /// Red, green and blue, linear, from 0 to 1.
+    Linear(#[schemars(transform = &limits::SHARE)] [f32; 3]),
+    /// A colour and where it begins.
+    Placed(PlacedToneFile),
+}
+
+/// A colour and where it begins.
+#[derive(Clone, Debug, Deserialize, JsonSchema, PartialEq, Serialize)]
+#[serde(deny_unknown_fields)]
+pub struct PlacedToneFile {
+    /// What is drawn.
+    pub colour: ColourFile,
+    /// From this amount of light upward, 0 to 1; 0 for the darkest, rising from tone to tone.
+    #[schemars(transform = &limits::SHARE)]
+    pub from: f32,
+}
+
+/// A length in pixels.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq, Serialize)]
+#[serde(deny_unknown_fields)]
+pub struct PixelsFile {
+    /// In pixels at the style's `height`.
+    #[schemars(transform = &limits::PIXELS)]
+    pub px: f32,
+}
+
+/// How tones get onto puffs.
+#[derive(Clone, Copy, Debug, Deserialize, Eq, JsonSchema, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum ShadingFile {
+    /// Whichever of the others is faster and looks the same.
+    Auto,
+    /// Light is worked out for every pixel.
+    PerPixel,
+    /// Puffs are shaded once a frame and then copied: suns only, and `form` counts as 0.
+    PreShaded,
+}
+
+/// Lines.
+#[derive(Clone, Debug, Default, Deserialize, JsonSchema, PartialEq, Serialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct InkFile {
+    /// Whether there are any.
+    pub on: Option<bool>,
+    /// Their colour.
+    pub colour: Option<ColourFile>,
+    /// How wide the outline is.
+    pub width: Option<WidthFile>,
+    /// How far ink lies behind its particle, in widths of the particle: the larger, the fewer inner
+    /// lines.
+    #[schemars(transform = &limits::FACTOR)]
+    pub offset: Option<f32>,
+    /// Width of inner lines over the outline's, 0 to 1.
+    #[schemars(transform = &limits::SHARE)]
+    pub inner: Option<f32>,
+    /// How much thinner lines are where they face the light, 0 to 1.
+    #[schemars(transform = &limits::SHARE)]
+    pub lit_thinning: Option<f32>,
+    /// Lines shorter than this many widths are left out.
+    #[schemars(transform = &limits::FACTOR)]
+    pub shortest: Option<f32>,
+}
+
+/// Width of a line: exactly one of these.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum WidthFile {
+    /// In pixels at the style's `height`, above 0.
+    Px(#[schemars(transform = &limits::WIDTH_PX)] f32),
+    /// In metres, above 0.
+    World(#[schemars(transform = &limits::WIDTH_WORLD)] f32),
+}
+
+/// Hard shadows.
+#[derive(Clone, Debug, Default, Deserialize, JsonSchema, PartialEq, Serialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct ShadowFile {
+    /// Whether the object throws any.
+    pub on: Option<bool>,
+    /// Length of a puff's shadow in its radii.
+    #[schemars(transform = &limits::FACTOR)]
+    pub reach: Option<f32>,
+    /// How far behind a puff its shadow begins, in its radii.
+    #[schemars(transform = &limits::FACTOR)]
+    pub start: Option<f32>,
+    /// Width of the shadow over the puff's, above 0.
+    #[schemars(transform = &limits::SCALE)]
+    pub size: Option<f32>,
+}

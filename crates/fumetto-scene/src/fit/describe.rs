@@ -1,0 +1,31 @@
+use serde_json::Value as Schema;
+
+/// The first paragraph of what the schema says about a value, for a help line.
+pub(super) fn first_paragraph(description: &str) -> String {
+    description.split("\n\n").next().unwrap_or(description).replace('\n', " ")
+}
+
+/// What a value must be: "a number", "3 numbers", "a string or a table".
+pub(super) fn kind(schema: &Schema) -> String {
+    match schema["type"].as_str() {
+        Some("number") => "a number".into(),
+        Some("integer") => "a whole number".into(),
+        Some("boolean") => "true or false".into(),
+        Some("string") => "a string".into(),
+        Some("array") => array(schema),
+        _ => "a table".into(),
+    }
+}
+
+fn array(schema: &Schema) -> String {
+    let items = match schema["items"]["type"].as_str() {
+        Some("number") => "numbers",
+        Some("integer") => "whole numbers",
+        Some("array") => "arrays",
+        _ => "values",
+    };
+    match schema["minItems"].as_u64() {
+        Some(count) => format!("an array of {count} {items}"),
+        None => "an array".into(),
+    }
+}

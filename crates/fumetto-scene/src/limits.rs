@@ -1,0 +1,171 @@
+//! Every bound of the scene file, in one place: the schema prints them, the checks refuse by them.
+
+use schemars::{Schema, transform::Transform};
+use serde_json::Value;
+
+/// Bytes of simulation state a particle takes on the GPU.
+pub const PARTICLE_BYTES: u64 = 80;
+
+/// Most particles one object may hold. At [`PARTICLE_BYTES`] each they fill 115 MiB, and WebGPU's
+/// default for one storage binding is 128 MiB.
+pub const MAX_PARTICLES: u64 = 1_500_000;
+
+/// Most objects in a scene: each is a cel with layers of its own.
+pub const MAX_OBJECTS: usize = 64;
+
+/// Most lights in a scene: shadows keep one bit a light in an 8-bit stencil.
+pub const MAX_LIGHTS: usize = 8;
+
+/// Most tones in a ramp (Álvarez draws with 32).
+pub const MAX_TONES: usize = 32;
+
+/// Widest atlas of puffs in pixels: WebGPU's default for one side of a texture.
+pub const MAX_ATLAS_PX: u32 = 8192;
+
+/// The least length of a direction. Its square must not underflow in 32 bits.
+pub const MIN_DIRECTION: f32 = 1e-9;
+
+/// The least angle between the camera's `up` and its line of sight, as the sine of it.
+pub const MIN_UP_SINE: f32 = 1e-4;
+
+/// Any number that has no bounds of its own: its square stays finite in 32 bits.
+pub const NUMBER: Limit = Limit::closed(-1e9, 1e9);
+/// Lengths above zero, in metres.
+pub const LENGTH: Limit = Limit::above(0.0, 1e9);
+/// The camera's vertical field of view, in degrees.
+pub const FOV_DEG: Limit = Limit::open(0.0, 180.0);
+/// Shares of a whole.
+pub const SHARE: Limit = Limit::closed(0.0, 1.0);
+/// What multiplies something else.
+pub const FACTOR: Limit = Limit::closed(0.0, 1e6);
+/// What multiplies something else and must leave some of it.
+pub const SCALE: Limit = Limit::above(0.0, 1e6);
+/// A particle's mass.
+pub const MASS: Limit = Limit::above(0.0, 1e9);
+/// Brightness of a light.
+pub const INTENSITY: Limit = Limit::closed(0.0, 1e6);
+/// Lengths in pixels that may be zero.
+pub const PIXELS: Limit = Limit::closed(0.0, 8192.0);
+/// Widths of lines in pixels.
+pub const WIDTH_PX: Limit = Limit::above(0.0, 1024.0);
+/// Widths of lines in metres.
+pub const WIDTH_WORLD: Limit = Limit::above(0.0, 1e9);
+/// Sides of a picture in pixels.
+pub const PICTURE_PX: Limit = Limit::closed(1.0, 8192.0);
+/// Samples along each side of a pixel.
+pub const ANTIALIAS: Limit = Limit::closed(1.0, 4.0);
+/// Frames in a second.
+pub const FPS: Limit = Limit::above(0.0, 1000.0);
+/// Frames for which a drawing is held.
+pub const HOLD: Limit = Limit::closed(1.0, 1000.0);
+/// Simulation steps in a frame.
+pub const SUBSTEPS: Limit = Limit::closed(1.0, 16.0);
+/// Different puffs of an object.
+pub const VARIANTS: Limit = Limit::closed(1.0, 16.0);
+/// Balls in a puff.
+pub const SPHERES: Limit = Limit::closed(1.0, 256.0);
+/// Width of a puff's picture in pixels; a power of two besides.
+pub const TILE_PX: Limit = Limit::closed(16.0, 512.0);
+/// Seconds that a particle lives.
+pub const LIFE_SECS: Limit = Limit::above(0.0, 1e6);
+/// Moments in seconds.
+pub const SECONDS: Limit = Limit::closed(0.0, 1e6);
+/// Lengths of time in seconds that may not be zero.
+pub const PERIOD_SECS: Limit = Limit::above(0.0, 1e6);
+/// Events in a second.
+pub const RATE: Limit = Limit::closed(0.0, 1e9);
+/// Half angle of an emitter's cone.
+pub const SPREAD_DEG: Limit = Limit::closed(0.0, 180.0);
+/// Speeds of air.
+pub const SPEED: Limit = Limit::closed(-1e6, 1e6);
+/// Accelerations.
+pub const ACCELERATION: Limit = Limit::closed(-1e6, 1e6);
+/// Octaves of turbulence.
+pub const OCTAVES: Limit = Limit::closed(1.0, 6.0);
+
+/// The range of a number.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Limit {
+    min: f64,
+    max: f64,
+    min_excluded: bool,
+    max_excluded: bool,
+}
+
+impl Limit {
+    const fn closed(min: f64, max: f64) -> Self {
+        Self { min, max, min_excluded: false, max_excluded: false }
+    }
+
+    const fn above(min: f64, max: f64) -> Self {
+        Self { min_excluded: true, ..Self::closed(min, max) }
+    }
+
+    const fn open(min: f64, max: f64) -> Self {
+        Self { max_excluded: true, ..Self::above(min, max) }
+    }
+
+    /// Whether `value` is inside; not-a-number never is.
+    #[must_use]
+    pub fn contains(&self, value: f64) -> bool {
+        let above = if self.min_excluded { value > self.min } else { value >= self.min };
+        let below = if self.max_excluded { value < self.max } else { value <= self.max };
+        above && below
+    }
+
+    /// What `value`, which is outside, should be; reads on from "must be". A far end that nobody
+    /// meets by intent is only named to those who passed it.
+    #[must_use]
+    pub fn wanted(&self, value: f64) -> String {
+        let (min, max) = (self.min, self.max);
+        let above = if self.min_excluded { format!("above {min}") } else { format!("at least {min}") };
+        let below = if self.max_excluded { format!("below {max}") } else { format!("at most {max}") };
+        if max >= FAR && value < max {
+            above
+        } else if min <= -FAR {
+            below
+        } else if self.min_excluded || self.max_excluded {
+            format!("{above} and {below}")
+        } else {
+            format!("from {min} to {max}")
+        }
+    }
+
+    /// The bounds of numbers of type `float` or `uint32`, narrowed by the keywords of `schemas`.
+    pub(crate) fn from_schemas(whole: bool, schemas: &[&Value]) -> Self {
+        let mut limit = if whole { Self::closed(0.0, f64::from(u32::MAX)) } else { NUMBER };
+        for schema in schemas {
+            let bound = |key: &str| schema[key].as_f64();
+            if let Some(min) = bound("minimum").or(bound("exclusiveMinimum")) {
+                (limit.min, limit.min_excluded) = (min, bound("minimum").is_none());
+            }
+            if let Some(max) = bound("maximum").or(bound("exclusiveMaximum")) {
+                (limit.max, limit.max_excluded) = (max, bound("maximum").is_none());
+            }
+        }
+        limit
+    }
+}
+
+/// From here on a bound is a guard against overflow, not a choice.
+const FAR: f64 = 1e6;
+
+/// Writes the range into the JSON Schema of a number, or of the numbers of an array.
+impl Transform for &Limit {
+    fn transform(&mut self, schema: &mut Schema) {
+        let bounds = [
+            (if self.min_excluded { "exclusiveMinimum" } else { "minimum" }, self.min),
+            (if self.max_excluded { "exclusiveMaximum" } else { "maximum" }, self.max),
+        ];
+        let schema = schema.ensure_object();
+        let schema = match schema.get_mut("items") {
+            Some(Value::Object(_)) => schema["items"].as_object_mut(),
+            _ => Some(schema),
+        };
+        let Some(schema) = schema else { return };
+        for (key, bound) in bounds {
+            let whole = bound.fract() == 0.0;
+            schema.insert(key.into(), if whole { (bound as i64).into() } else { bound.into() });
+        }
+    }
+}

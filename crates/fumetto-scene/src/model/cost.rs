@@ -1,0 +1,88 @@
+//! What a scene will cost, told before anything is allocated.
+
+use crate::limits::PARTICLE_BYTES;
+use crate::{Emitter, Matter, Object, Scene, Time};
+
+/// What one object will need.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ObjectCost {
+    /// The object's name.
+    pub name: String,
+    /// Most particles alive at once; `None` where only a particle file tells.
+    pub particles: Option<u64>,
+    /// Bytes of simulation state for them.
+    pub state_bytes: Option<u64>,
+}
+
+impl Scene {
+    /// What every object will need, in the scene's order.
+    #[must_use]
+    pub fn requirements(&self) -> Vec<ObjectCost> {
+        let step_secs = self.time.step_secs();
+        let cost = |object: &Object| {
+            let particles = object.capacity(step_secs);
+            let state_bytes = particles.map(|particles| particles.saturating_mul(PARTICLE_BYTES));
+            ObjectCost { name: object.name.clone(), particles, state_bytes }
+        };
+        self.objects.iter().map(cost).collect()
+    }
+}
+
+impl Time {
+    /// Seconds in one step of the simulation.
+    #[must_use]
+    pub fn step_secs(&self) -> f64 {
+        1.0 / (f64::from(self.fps) * f64::from(self.substeps))
+    }
+}
+
+impl Object {
+    /// Most particles that can be alive at once, simulated in steps of `step_secs`; `None` where
+    /// only a particle file tells.
+    #[must_use]
+    pub fn capacity(&self, step_secs: f64) -> Option<u64> {
+        match &self.matter {
+            Matter::Still(particles) => Some(particles.len() as u64),
+            Matter::File(_) => None,
+            Matter::Smoke(smoke) => {
+                let capacities = smoke.emitters.iter().map(|emitter| emitter.capacity(step_secs));
+                Some(capacities.fold(0, u64::saturating_add))
+            }
+        }
+    }
+}
+
+impl Emitter {
+    /// Most particles that can be alive at once, simulated in steps of `step_secs`.
+    ///
+    /// A particle stays for the step in which it dies, so all last one step longer than they live.
+    #[must_use]
+    pub fn capacity(&self, step_secs: f64) -> u64 {
+        if let Some(count) = self.count {
+            return count.into();
+        }
+        let stay_secs = f64::from(self.life[0].max(self.life[1])) + step_secs;
+        let active_secs = f64::from(self.active[1]) - f64::from(self.active[0]) + step_secs;
+        let emitted = f64::from(self.rate) * stay_secs.min(active_secs.max(0.0));
+        // One more, because a fraction carried over from step to step can round up. The cast saturates.
+        let flowing = if emitted > 0.0 { emitted.ceil() as u64 + 1 } else { 0 };
+        flowing.saturating_add(self.burst_capacity(stay_secs))
+    }
+
+    /// Most particles of bursts alive at once: of those within `stay_secs` of each other.
+    fn burst_capacity(&self, stay_secs: f64) -> u64 {
+        let mut bursts: Vec<(f64, u64)> =
+            self.bursts.iter().map(|burst| (f64::from(burst.at), burst.count.into())).collect();
+        bursts.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let (mut oldest, mut alive, mut most) = (0, 0_u64, 0);
+        for &(at, count) in &bursts {
+            alive = alive.saturating_add(count);
+            while bursts[oldest].0 + stay_secs < at {
+                alive = alive.saturating_sub(bursts[oldest].1);
+                oldest += 1;
+            }
+            most = most.max(alive);
+        }
+        most
+    }
+}

@@ -1,0 +1,203 @@
+//! Good scenes mean what they say.
+#![expect(clippy::unwrap_used, reason = "a test that cannot set up should stop")]
+
+mod common;
+
+use common::{load, load_with};
+use fumetto_scene::{
+    Background, Burst, Colour, Curve, EmitterShape, Force, Light, LightKind, Matter, Particle, Puffs, Ramp,
+    Scene, SceneText, Shading, Smoke, StyleChoice, Tone, Width,
+};
+
+fn srgb(hex: u32) -> Colour {
+    let [_, red, green, blue] = hex.to_be_bytes();
+    Colour::from_srgb8([red, green, blue])
+}
+
+fn good(toml: &str) -> Scene {
+    let (scene, warnings) = load(toml).unwrap();
+    assert!(warnings.is_empty(), "{warnings}");
+    scene
+}
+
+fn smoke(scene: &Scene) -> &Smoke {
+    match &scene.objects[0].matter {
+        Matter::Smoke(smoke) => smoke,
+        other => panic!("{other:?} is no smoke"),
+    }
+}
+
+fn set(path: &str, value: &str) -> (String, String) {
+    (path.to_owned(), value.to_owned())
+}
+
+#[test]
+fn the_sketch_of_the_format_is_valid() {
+    let scene = good(include_str!("good/cumulus.toml"));
+    assert_eq!(scene.seed, 1);
+    assert_eq!(scene.cameras.len(), 1);
+    let camera = &scene.cameras[0];
+    assert_eq!((camera.name.as_str(), camera.fov_deg, camera.up), ("main", 40.0, [0.0, 1.0, 0.0]));
+    let kind = LightKind::Sun { direction: [-0.4, -1.0, -0.3] };
+    assert_eq!(scene.lights, [Light { kind, intensity: 1.0, shadow: true }]);
+    assert_eq!(scene.background, Background::Transparent);
+    assert_eq!((scene.time.fps, scene.time.hold, scene.time.substeps), (24.0, 2, 1));
+    assert_eq!((scene.output.size, scene.output.antialias), ([1280, 720], 2));
+    let object = &scene.objects[0];
+    let particles = [
+        Particle { center: [0.0, 1.0, 0.0], radius: 1.0, mass: 8.0 },
+        Particle { center: [0.9, 0.9, 0.1], radius: 0.7, mass: 8.0 },
+    ];
+    assert_eq!(object.matter, Matter::Still(particles.to_vec()));
+    assert_eq!(object.puffs, Puffs { variants: 4, seed: 1, spheres: 24, tile_px: 128, size: 1.0 });
+    let tones = vec![Tone { colour: srgb(0x8fa3b8), from: 0.0 }, Tone { colour: srgb(0xe8eef4), from: 0.5 }];
+    assert_eq!(object.style.ramp, Ramp::Tones(tones));
+    assert_eq!((object.style.ink.colour, object.style.ink.width), (srgb(0x101418), Width::Px(2.0)));
+    assert_eq!(object.style.form, 0.6, "what the scene does not say comes from the preset");
+}
+
+#[test]
+fn every_key_reaches_the_scene() {
+    let scene = good(include_str!("good/everything.toml"));
+    assert_eq!(scene.seed, 7);
+    assert_eq!(scene.cameras.iter().map(|camera| camera.name.as_str()).collect::<Vec<_>>(), ["front", "top"]);
+    assert_eq!((scene.cameras[0].fov_deg, scene.cameras[0].near), (35.0, Some(0.1)));
+    let kind = LightKind::Point { position: [0.0, 1.0, 0.0] };
+    assert_eq!(scene.lights[1], Light { kind, intensity: 0.5, shadow: false });
+    let bottom = Colour { linear: [0.5, 0.6, 0.7] };
+    assert_eq!(scene.background, Background::Gradient { top: srgb(0x406080), bottom });
+    assert_eq!((scene.time.frames, scene.time.substeps), ([10, 20], 4));
+    assert_eq!((scene.output.size, scene.output.antialias), ([640, 360], 1));
+    let file = &scene.objects[1];
+    assert_eq!(file.matter, Matter::File("cloud.####.ply".into()));
+    assert_eq!((file.style.form, file.style.shadow.on), (1.0, false), "an own preset starts afresh");
+}
+
+#[test]
+fn every_key_of_a_style_reaches_it() {
+    let scene = good(include_str!("good/everything.toml"));
+    let fire = &scene.objects[0];
+    assert_eq!((fire.visible, fire.opacity, fire.puffs.variants, fire.puffs.tile_px), (false, 0.5, 8, 64));
+    let style = &fire.style;
+    assert!(!style.ink.on, "the object's own style");
+    let white = Colour { linear: [1.0; 3] };
+    let tones = vec![Tone { colour: srgb(0x8fa3b8), from: 0.0 }, Tone { colour: white, from: 0.4 }];
+    assert_eq!(style.ramp, Ramp::Tones(tones));
+    assert_eq!([style.form, style.form_scale, style.wrap], [0.5, 2.0, 0.1]);
+    assert_eq!((style.clean_px, style.height_px, style.shading), (3.0, 360.0, Shading::PerPixel));
+    let ink = &style.ink;
+    assert_eq!((ink.colour, ink.width), (srgb(0x101418), Width::World(0.05)));
+    assert_eq!([ink.offset, ink.inner, ink.lit_thinning, ink.shortest], [0.7, 0.5, 0.3, 2.0]);
+    assert_eq!([style.shadow.reach, style.shadow.start, style.shadow.size], [5.0, 0.4, 0.9]);
+}
+
+#[test]
+fn every_key_of_smoke_reaches_it() {
+    let scene = good(include_str!("good/everything.toml"));
+    let Smoke { emitters, forces } = smoke(&scene);
+    let emitter = &emitters[0];
+    let disc = EmitterShape::Disc { center: [0.0; 3], normal: [0.0, 1.0, 0.0], radius: 0.3 };
+    assert_eq!(emitter.shape, disc);
+    assert_eq!((emitter.rate, emitter.count, emitter.active), (60.0, None, [0.0, 2.0]));
+    assert_eq!(emitter.bursts, [Burst { at: 0.5, count: 100 }, Burst { at: 9.0, count: 50 }]);
+    assert_eq!((emitter.spread_deg, emitter.speed_jitter), (20.0, 0.2));
+    assert_eq!([emitter.life, emitter.radius, emitter.mass], [[2.0, 4.0], [0.1, 0.3], [2.0, 2.0]]);
+    assert_eq!(emitter.radius_over_life, Curve { points: vec![[0.0, 0.3], [1.0, 2.0]] });
+    assert_eq!(emitter.mass_over_life, Curve::constant(1.0));
+    assert_eq!(emitter.erosion_over_life, Curve::constant(0.25));
+    assert_eq!(emitters[1].count, Some(500));
+    assert_eq!(forces.len(), 7);
+    assert_eq!(forces[0], Force::Gravity { acceleration: [0.0, -9.81, 0.0] });
+    assert_eq!(forces[3], Force::Wind { velocity: [1.0, 0.0, 0.0], gust: 0.3, gust_secs: 3.0 });
+    assert_eq!(forces[4], Force::Turbulence { speed: 0.5, scale: 1.0, octaves: 3, drift: [0.0; 3] });
+}
+
+#[test]
+fn costs_are_told_beforehand() {
+    let scene = good(include_str!("good/everything.toml"));
+    let costs = scene.requirements();
+    // 60 a second for 2 s and a step, one for rounding, the larger burst, and 500 kept alive.
+    let particles = (60.0_f64 * (2.0 + 1.0 / 48.0)).ceil() as u64 + 1 + 100 + 500;
+    assert_eq!((costs[0].particles, costs[0].state_bytes), (Some(particles), Some(particles * 80)));
+    assert_eq!(costs[1].particles, None, "only the file knows");
+}
+
+#[test]
+fn overrides_reach_every_place() {
+    let overrides = [
+        set("camera[1].eye[1]", "12"),
+        set("camera.front.fov", "50"),
+        set("object.fire.style.ink.width.px", "3"),
+        set("object[0].emitter[0].rate", "5"),
+        set("style.preset", "flat"),
+        set("background", "{ colour = \"#102030\" }"),
+        set("output.size", "[64, 32]"),
+    ];
+    let toml = include_str!("good/everything.toml");
+    let text = SceneText { name: "scene.toml", toml, set: &overrides, style: None };
+    let (scene, _) = load_with(&text, &[]).unwrap();
+    assert_eq!(scene.cameras[1].eye, [0.0, 12.0, 0.0]);
+    assert_eq!(scene.cameras[0].fov_deg, 50.0);
+    assert_eq!(scene.objects[0].style.ink.width, Width::Px(3.0));
+    assert_eq!(smoke(&scene).emitters[0].rate, 5.0);
+    assert_eq!(scene.background, Background::Colour(srgb(0x102030)));
+    assert_eq!(scene.output.size, [64, 32]);
+    assert!(!scene.objects[1].style.shadow.on);
+}
+
+#[test]
+fn a_chosen_style_takes_the_place_of_the_scenes() {
+    let toml = include_str!("good/cumulus.toml");
+    let overrides = [set("style.form", "0.25")];
+    let load = |style| {
+        let text = SceneText { name: "scene.toml", toml, set: &overrides, style: Some(style) };
+        load_with(&text, &[]).unwrap().0.objects.remove(0).style
+    };
+    let preset = load(StyleChoice::Preset("mcguire"));
+    assert_eq!(preset.ink.colour, srgb(0), "the scene's ink is gone");
+    assert_eq!(preset.form, 0.25, "an override still comes on top");
+    let own = "preset = \"flat\"\nramp = \"ramp.png\"\n";
+    let file = load(StyleChoice::Text { name: "styles/own.style.toml", toml: own });
+    assert_eq!(file.ramp, Ramp::Image("styles/ramp.png".into()), "paths go from the style file");
+    assert!(!file.shadow.on);
+}
+
+#[test]
+fn a_scene_may_name_a_style_file() {
+    let toml = "format = 1\ncamera = { eye = [0, 0, 5], target = [0, 0, 0] }\n\
+                light = [{ kind = \"sun\", direction = [0, -1, 0] }]\n\
+                style = { file = \"my.style.toml\", wrap = 0.5 }\n\
+                object = [{ name = \"a\", kind = \"cloud\", particles = \"a.ply\" }]";
+    let text = SceneText { name: "scene.toml", toml, ..SceneText::default() };
+    let (scene, report) = load_with(&text, &[("my.style.toml", "form = 0.9\nwrap = 0.1\n")]).unwrap();
+    assert!(report.is_empty(), "{report}");
+    let style = &scene.objects[0].style;
+    assert_eq!([style.form, style.wrap], [0.9, 0.5]);
+}
+
+#[test]
+fn every_preset_loads() {
+    for preset in fumetto_scene::presets::names() {
+        let toml = include_str!("good/cumulus.toml");
+        let style = Some(StyleChoice::Preset(preset));
+        let text = SceneText { name: "scene.toml", toml, style, ..SceneText::default() };
+        let (_, report) = load_with(&text, &[]).unwrap();
+        assert!(report.is_empty(), "{preset}: {report}");
+    }
+}
+
+#[test]
+fn a_curve_is_linear_between_its_points_and_stays_outside() {
+    let curve = Curve { points: vec![[0.2, 1.0], [0.6, 3.0]] };
+    let at = [0.0, 0.2, 0.4, 0.6, 1.0].map(|age| curve.at(age));
+    let expected = [1.0, 1.0, 2.0, 3.0, 3.0];
+    assert!(at.iter().zip(expected).all(|(got, wanted)| (got - wanted).abs() < 1e-6), "{at:?}");
+}
+
+#[test]
+fn every_8_bit_colour_survives() {
+    for level in 0..=255 {
+        let srgb = [level, 255 - level, level / 2];
+        assert_eq!(Colour::from_srgb8(srgb).to_srgb8(), srgb);
+    }
+}
