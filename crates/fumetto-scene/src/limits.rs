@@ -19,9 +19,6 @@ pub const MAX_LIGHTS: usize = 8;
 /// Most tones in a ramp (Álvarez draws with 32).
 pub const MAX_TONES: usize = 32;
 
-/// Widest atlas of puffs in pixels: WebGPU's default for one side of a texture.
-pub const MAX_ATLAS_PX: u32 = 8192;
-
 /// The least length of a direction. Its square must not underflow in 32 bits.
 pub const MIN_DIRECTION: f32 = 1e-9;
 
@@ -64,7 +61,8 @@ pub const SUBSTEPS: Limit = Limit::closed(1.0, 16.0);
 pub const VARIANTS: Limit = Limit::closed(1.0, 16.0);
 /// Balls in a puff.
 pub const SPHERES: Limit = Limit::closed(1.0, 256.0);
-/// Width of a puff's picture in pixels; a power of two besides.
+/// Width of a puff's picture in pixels; a power of two besides. All variants side by side must fit
+/// WebGPU's default for one side of a texture: 16 × 512 = 8192.
 pub const TILE_PX: Limit = Limit::closed(16.0, 512.0);
 /// Seconds that a particle lives.
 pub const LIFE_SECS: Limit = Limit::above(0.0, 1e6);

@@ -12,27 +12,29 @@ pub(crate) struct At<'a> {
     /// Where the text has no such key: the outermost one that is missing.
     missing: Option<&'static str>,
     key: &'static str,
-    index: Option<usize>,
+    /// Numbers of the items on the way from `key`, outer and inner.
+    index: [Option<usize>; 2],
 }
 
 impl<'a> At<'a> {
     /// The root of a text, called `key` in messages.
     pub(crate) fn root(log: &'a Log, file: &'a str, node: &'a Node, key: &'static str) -> Self {
-        Self { log, file, nearest: node, missing: None, key, index: None }
+        Self { log, file, nearest: node, missing: None, key, index: [None; 2] }
     }
 
     /// The value of `key` in this table.
     pub(crate) fn key(&self, key: &'static str) -> Self {
         let child = self.node().and_then(|node| node.as_table()?.get(key));
         let missing = if child.is_some() { None } else { self.missing.or(Some(key)) };
-        Self { nearest: child.unwrap_or(self.nearest), missing, key, index: None, ..*self }
+        Self { nearest: child.unwrap_or(self.nearest), missing, key, index: [None; 2], ..*self }
     }
 
     /// An element of this array; a lone table counts as its own only element.
     pub(crate) fn item(&self, index: usize) -> Self {
         match self.node().map(|node| &node.value) {
-            Some(Value::Array(items)) if index < items.len() => {
-                Self { nearest: &items[index], index: Some(index), ..*self }
+            Some(Value::Array(array)) if index < array.items.len() => {
+                let (outer, here) = (self.index[0], Some(array.index_in_text(index)));
+                Self { nearest: &array.items[index], index: [outer.or(here), outer.and(here)], ..*self }
             }
             _ => *self,
         }
@@ -49,10 +51,8 @@ impl<'a> At<'a> {
 
     /// What messages call it: `eye`, `particles[3]`.
     pub(crate) fn name(&self) -> String {
-        match self.index {
-            Some(index) => format!("{}[{index}]", self.key),
-            None => self.key.to_owned(),
-        }
+        let indices = self.index.iter().flatten().map(|index| format!("[{index}]"));
+        self.key.to_owned() + &indices.collect::<String>()
     }
 
     /// Reports an error here.

@@ -1,4 +1,4 @@
-use std::collections::HashMap;
+use std::collections::HashSet;
 
 use super::values::{colour, cross, direction, length, unit};
 use super::{At, Styles, object::object};
@@ -10,13 +10,19 @@ use crate::{Background, Camera, Light, LightKind, Output, Scene, Time};
 pub(crate) fn scene(at: &At<'_>, file: &SceneFile, styles: &mut Styles<'_>) -> Scene {
     let style = styles.scene_style(&at.key("style"), &file.style);
     let time = time(&at.key("time"), &file.time);
-    let objects = file.object.iter().enumerate();
+    let objects = file.object.iter().enumerate().take(MAX_OBJECTS);
     let objects = objects
         .map(|(i, one)| object(&at.key("object").item(i), one, &style, time.step_secs(), styles))
         .collect();
     let names = file.object.iter().map(|object| object.name.as_str());
     unique_names(&at.key("object"), names, "object");
-    at_most(&at.key("object"), file.object.len(), MAX_OBJECTS, "join some: an object may have many emitters");
+    at_most(
+        &at.key("object"),
+        "object",
+        file.object.len(),
+        MAX_OBJECTS,
+        "join some: an object may have many emitters",
+    );
     if file.object.is_empty() {
         let help = "add an [[object]] with a `name` and a `kind`";
         at.key("object").warning("no-object", "the scene has no object, so nothing is drawn".into(), help);
@@ -49,13 +55,11 @@ fn camera(at: &At<'_>, file: &CameraFile) -> Camera {
     if length(sight) < MIN_DIRECTION {
         let message = "`target` is where `eye` is, so the camera looks nowhere".to_owned();
         at.key("target").error("no-line-of-sight", message, "move one of them");
-    } else if length(up) >= MIN_DIRECTION {
-        if length(cross(unit(sight), unit(up))) < MIN_UP_SINE {
-            let message = "`up` runs along the line of sight from `eye` to `target`".to_owned();
-            let help = "for a camera that looks straight down, write up = [0, 0, -1]";
-            let at_up = at.key("up");
-            (if at_up.exists() { at_up } else { at.key("target") }).error("up-along-sight", message, help);
-        }
+    } else if length(up) >= MIN_DIRECTION && length(cross(unit(sight), unit(up))) < MIN_UP_SINE {
+        let message = "`up` runs along the line of sight from `eye` to `target`".to_owned();
+        let help = "for a camera that looks straight down, write up = [0, 0, -1]";
+        let at_up = at.key("up");
+        (if at_up.exists() { at_up } else { at.key("target") }).error("up-along-sight", message, help);
     }
     Camera {
         name: file.name.clone(),
@@ -68,7 +72,7 @@ fn camera(at: &At<'_>, file: &CameraFile) -> Camera {
 }
 
 fn lights(at: &At<'_>, files: &[LightFile]) -> Vec<Light> {
-    at_most(at, files.len(), MAX_LIGHTS, "leave out the weakest");
+    at_most(at, "light", files.len(), MAX_LIGHTS, "leave out the weakest");
     if files.is_empty() {
         let help = "add a [[light]], as in: kind = \"sun\", direction = [-0.4, -1.0, -0.3]";
         at.warning("no-light", "the scene has no light, so only the darkest tone is drawn".into(), help);
@@ -118,22 +122,22 @@ fn time(at: &At<'_>, file: &TimeFile) -> Time {
 }
 
 fn unique_names<'n>(at: &At<'_>, names: impl Iterator<Item = &'n str>, what: &str) {
-    let mut first_with = HashMap::new();
+    let mut seen = HashSet::new();
     for (i, name) in names.enumerate() {
         let at = at.item(i).key("name");
         if name.is_empty() {
             at.error("empty-name", format!("the {what}'s name is empty"), "`--set` finds it by this name");
         }
-        if let Some(first) = first_with.insert(name, i) {
-            let message = format!("two {what}s are named {name:?}: numbers {first} and {i}, counted from 0");
+        if !seen.insert(name) {
+            let message = format!("two {what}s are named {name:?}");
             at.error("duplicate-name", message, "give each a `name` of its own");
         }
     }
 }
 
-fn at_most(at: &At<'_>, count: usize, most: usize, help: &str) {
+fn at_most(at: &At<'_>, what: &str, count: usize, most: usize, help: &str) {
     if count > most {
-        let message = format!("there are {count} of `{}`, but at most {most} are allowed", at.name());
+        let message = format!("there are {count} {what}s, but at most {most} are allowed");
         at.item(most).error("too-many", message, help);
     }
 }

@@ -67,7 +67,7 @@ pub(super) fn curve(at: &At<'_>, file: &CurveFile, limit: &Limit, help: &str) ->
         point.item(0).within(age, &SHARE, "ages run from 0 (birth) to 1 (death)");
         point.item(1).within(value, limit, help);
         if age <= last_age {
-            let message = format!("the curve `{}` goes back from age {last_age} to {age}", at.name());
+            let message = format!("in the curve `{}` age {age} comes after age {last_age}", at.name());
             point.error(
                 "curve-not-rising",
                 message,

@@ -13,8 +13,15 @@ pub(super) fn kind(schema: &Schema) -> String {
         Some("boolean") => "true or false".into(),
         Some("string") => "a string".into(),
         Some("array") => array(schema),
-        _ => "a table".into(),
+        _ => only_key(schema).map_or_else(|| "a table".into(), |key| format!("{{ {key} = … }}")),
     }
+}
+
+/// The key of a table that has exactly one, as serde writes enums.
+pub(super) fn only_key(schema: &Schema) -> Option<&str> {
+    let keys = schema["properties"].as_object()?;
+    let only = keys.keys().next().filter(|_| keys.len() == 1)?;
+    (schema["required"] == serde_json::json!([only])).then_some(only.as_str())
 }
 
 fn array(schema: &Schema) -> String {

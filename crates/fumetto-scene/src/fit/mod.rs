@@ -17,7 +17,7 @@ use serde_json::Value as Schema;
 
 use crate::report::{Log, Severity};
 use crate::schema::schema_of;
-use crate::text::{Node, Place, Value};
+use crate::text::{Array, Node, Place, Value};
 
 pub(crate) use suggest::did_you_mean;
 use suggest::list;
@@ -26,7 +26,7 @@ use suggest::list;
 pub(crate) fn read<T: JsonSchema + DeserializeOwned>(log: &Log, file: &str, root: &mut Node) -> Option<T> {
     let schema = schema_of::<T>();
     let fit = Fit { log, file, schema: &schema };
-    if !fit.visit(root, &schema, "the file") {
+    if !fit.visit(root, &schema, "", None) {
         return None;
     }
     match T::deserialize(root.to_toml()) {
@@ -50,28 +50,20 @@ impl<'a> Fit<'a> {
         self.log.report(Severity::Error, code, self.file, Some(place), message, help);
     }
 
-    /// Checks `node`, called `name`, and all in it; whether it can stay.
-    fn visit(&self, node: &mut Node, schema: &'a Schema, name: &str) -> bool {
-        let about = schema["description"].as_str();
-        let target = self.resolve(schema);
-        let Some(target) = self.choose(node, target, name, about) else { return false };
+    /// Checks `node`, called `name`, and all in it; whether it can stay. What the schema does not tell
+    /// about it, `about` does, the description of what it lies in.
+    fn visit(&self, node: &mut Node, schema: &'a Schema, name: &str, about: Option<&str>) -> bool {
+        let about = schema["description"].as_str().or(about);
+        let Some(target) = self.choose(node, self.resolve(schema), name, about) else { return false };
         let place = &node.place;
         match (&mut node.value, target["type"].as_str()) {
             (Value::Table(table), Some("object")) => self.visit_table(table, place, target, name),
-            (Value::Array(items), Some("array")) => self.visit_array(items, place, target, name, about),
+            (Value::Array(array), Some("array")) => self.visit_array(array, place, target, name, about),
             (Value::Integer(_) | Value::Float(_), Some("number" | "integer")) => {
                 // A field may narrow the range of the type it refers to.
                 self.visit_number(node, &[target, schema], name, about)
             }
-            (Value::String(text), Some("string")) => match target["const"].as_str() {
-                Some(only) if only != text => {
-                    let message = format!("`{name}` must be {only:?}, not {text:?}");
-                    self.error("unknown-value", place, message, about.map(describe::first_paragraph));
-                    false
-                }
-                _ => true,
-            },
-            (Value::Bool(_), Some("boolean")) => true,
+            (Value::String(_), Some("string")) | (Value::Bool(_), Some("boolean")) => true,
             _ => {
                 self.mismatch(node, &describe::kind(target), name, about);
                 false
@@ -79,25 +71,29 @@ impl<'a> Fit<'a> {
         }
     }
 
+    /// An array of fixed length stands or falls whole; from others, misfits are taken out.
     fn visit_array(
         &self,
-        items: &mut [Node],
+        array: &mut Array,
         place: &Place,
         schema: &'a Schema,
         name: &str,
         about: Option<&str>,
     ) -> bool {
-        let count = items.len() as u64;
-        let wrong = schema["minItems"].as_u64().filter(|&min| count < min);
-        if let Some(needed) = wrong.or(schema["maxItems"].as_u64().filter(|&max| count > max)) {
+        let count = array.items.len();
+        let fixed = schema["minItems"].as_u64().filter(|_| schema["minItems"] == schema["maxItems"]);
+        if let Some(needed) = fixed.filter(|&needed| needed != count as u64) {
             let message = format!("`{name}` needs {needed} values, but has {count}");
             self.error("wrong-length", place, message, about.map(describe::first_paragraph));
             return false;
         }
-        let item_schema = &schema["items"];
-        let visit = |(i, item)| self.visit(item, item_schema, &format!("{name}[{i}]"));
-        // Every item is visited, so `all` would stop too early.
-        items.iter_mut().enumerate().map(visit).fold(true, |all, fits| all & fits)
+        let visit = |(i, item)| self.visit(item, &schema["items"], &format!("{name}[{i}]"), about);
+        let fits: Vec<bool> = array.items.iter_mut().enumerate().map(visit).collect();
+        if fixed.is_some() {
+            return !fits.contains(&false);
+        }
+        array.retain(&fits);
+        true
     }
 
     /// Reports a value of the wrong type.

@@ -1,6 +1,10 @@
 /// The name among `names` that `wrong` is likely a slip of: at most a third of its letters off, or the
 /// beginning or end of the name.
 pub(crate) fn nearest<'n>(wrong: &str, names: impl IntoIterator<Item = &'n str>) -> Option<&'n str> {
+    // Comparing takes the product of both lengths, and nobody slips into a text this long.
+    if wrong.len() > 64 {
+        return None;
+    }
     let wrong = wrong.to_lowercase();
     let distance = |name: &str| {
         let part = wrong.len() >= 3 && (name.starts_with(&wrong) || name.ends_with(&wrong));

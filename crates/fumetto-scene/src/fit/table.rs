@@ -1,7 +1,7 @@
 use serde_json::{Map, Value as Schema};
 
 use super::{Fit, describe, did_you_mean, suggest::nearest};
-use crate::text::{Place, Table};
+use crate::text::{Entry, Place, Table};
 
 impl<'a> Fit<'a> {
     /// Checks the keys of a table; whether it can stay.
@@ -27,9 +27,9 @@ impl<'a> Fit<'a> {
                 }
                 continue;
             };
-            if !self.visit(node, key_schema, key) {
+            if !self.visit(node, key_schema, key, None) {
                 fits &= !required(key);
-                table.remove(key);
+                table.remove_where(|other| other == key);
             }
         }
         fits
@@ -47,21 +47,20 @@ impl<'a> Fit<'a> {
         if schema["additionalProperties"] != false {
             return slips;
         }
-        let unknown: Vec<_> = table
-            .entries
-            .iter()
-            .filter(|entry| !keys.contains_key(&entry.key))
-            .map(|entry| (entry.key.clone(), entry.key_place.clone()))
-            .collect();
-        for (key, place) in unknown {
-            table.remove(&key);
-            let absent = keys.keys().map(String::as_str).filter(|known| table.get(known).is_none());
-            let absent: Vec<&str> = absent.collect();
-            slips.extend(nearest(&key, absent.iter().copied()));
-            let help = self.other_kind(&key, schema).unwrap_or_else(|| did_you_mean(&key, &absent));
-            self.error("unknown-key", &place, format!("unknown key `{key}` in `{name}`"), Some(help));
+        let unknown = table.remove_where(|key| !keys.contains_key(key));
+        let all: Vec<&str> = keys.keys().map(String::as_str).collect();
+        for Entry { key, key_place, .. } in &unknown {
+            slips.extend(nearest(key, all.iter().copied().filter(|known| table.get(known).is_none())));
+            let help = self.other_kind(key, schema).unwrap_or_else(|| did_you_mean(key, &all));
+            self.unknown_key(key, key_place, name, help);
         }
         slips
+    }
+
+    /// Reports an unknown key in the table called `name`, which at the root is nothing.
+    pub(super) fn unknown_key(&self, key: &str, place: &Place, name: &str, help: String) {
+        let table = if name.is_empty() { String::new() } else { format!(" in `{name}`") };
+        self.error("unknown-key", place, format!("unknown key `{key}`{table}"), Some(help));
     }
 
     fn missing(&self, key: &str, schema: &Schema, place: &Place, name: &str) {

@@ -3,7 +3,7 @@
 use serde_json::Value as Schema;
 
 use super::{Fit, describe, did_you_mean, list};
-use crate::text::{Node, Table, Value};
+use crate::text::{Entry, Node, Table, Value};
 
 impl<'a> Fit<'a> {
     /// The one shape of `schema` that `node` is nearest to; reports where there is none.
@@ -48,7 +48,8 @@ impl<'a> Fit<'a> {
         if candidates.iter().all(|candidate| candidate["properties"]["kind"]["const"].is_string()) {
             return self.choose_kind(node, table, candidates, name);
         }
-        let Some(keys) = candidates.iter().map(|candidate| only_key(candidate)).collect::<Option<Vec<_>>>()
+        let Some(keys) =
+            candidates.iter().map(|candidate| describe::only_key(candidate)).collect::<Option<Vec<_>>>()
         else {
             return candidates.first().copied();
         };
@@ -56,14 +57,15 @@ impl<'a> Fit<'a> {
         match (named.next(), named.next()) {
             (Some((candidate, _)), None) => Some(candidate),
             (None, _) => {
-                let given = table.entries.first();
-                let message = match given {
-                    Some(entry) => format!("unknown key `{}` in `{name}`", entry.key),
-                    None => format!("`{name}` lacks one of {}", list(&keys, "or")),
-                };
-                let help = given.map(|entry| did_you_mean(&entry.key, &keys));
-                let place = given.map_or(&node.place, |entry| &entry.key_place);
-                self.error(if given.is_some() { "unknown-key" } else { "missing-key" }, place, message, help);
+                match table.entries.first() {
+                    Some(Entry { key, key_place, .. }) => {
+                        self.unknown_key(key, key_place, name, did_you_mean(key, &keys));
+                    }
+                    None => {
+                        let message = format!("`{name}` lacks one of {}", list(&keys, "or"));
+                        self.error("missing-key", &node.place, message, None);
+                    }
+                }
                 None
             }
             (Some(_), Some(_)) => {
@@ -93,7 +95,7 @@ impl<'a> Fit<'a> {
         };
         let chosen = candidates.iter().copied().find(|candidate| kind(candidate) == Some(text));
         if chosen.is_none() {
-            let message = format!("there is no `{name}` of kind {text:?}");
+            let message = format!("`kind` cannot be {text:?}");
             self.error("unknown-value", &given.place, message, Some(did_you_mean(text, &kinds)));
         }
         chosen
@@ -143,13 +145,6 @@ fn branches(schema: &Schema) -> Option<&Vec<Schema>> {
 
 fn kind(schema: &Schema) -> Option<&str> {
     schema["properties"]["kind"]["const"].as_str()
-}
-
-/// The key of a table that has exactly one, as serde writes enums.
-fn only_key(schema: &Schema) -> Option<&str> {
-    let keys = schema["properties"].as_object()?;
-    let only = keys.keys().next().filter(|_| keys.len() == 1)?;
-    (schema["required"] == serde_json::json!([only])).then_some(only.as_str())
 }
 
 /// "a number or an array of 2 numbers".

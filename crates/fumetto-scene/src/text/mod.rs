@@ -6,4 +6,4 @@ mod tree;
 
 pub(crate) use parse::{parse_document, parse_value};
 pub(crate) use set::apply as set;
-pub(crate) use tree::{Entry, Node, Place, Table, Value};
+pub(crate) use tree::{Array, Entry, Node, Place, Table, Value};

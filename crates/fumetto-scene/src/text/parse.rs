@@ -3,7 +3,7 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeInteger, DeTable, DeValue};
 
-use super::{Entry, Node, Place, Table, Value};
+use super::{Array, Entry, Node, Place, Table, Value};
 use crate::report::{Log, Severity};
 
 /// Reads a whole TOML text; reports every syntax error, and is `None` where there was one.
@@ -39,7 +39,9 @@ fn node(text: usize, offset: usize, span: Range<usize>, value: DeValue<'_>) -> N
         DeValue::Float(float) => Value::Float(float.as_str().parse().unwrap_or(f64::NAN)),
         DeValue::Boolean(boolean) => Value::Bool(boolean),
         DeValue::Datetime(_) => Value::Datetime,
-        DeValue::Array(items) => Value::Array(items.into_iter().map(child).collect()),
+        DeValue::Array(items) => {
+            Value::Array(Array { items: items.into_iter().map(child).collect(), removed: Vec::new() })
+        }
         DeValue::Table(table) => {
             let entries = table.into_iter().map(|(key, value)| Entry {
                 key_place: place(key.span()),

@@ -56,10 +56,11 @@ struct Step<'a> {
 
 impl<'a> Edit<'a> {
     fn apply(&self, root: &mut Node) -> Result<(), Failure> {
-        let steps = self.steps()?;
-        let Some((last, parents)) = steps.split_last() else {
+        if self.path.is_empty() {
             return Err(self.fail(0, 0, "the path is empty", "write it as in `--set camera.fov=30`"));
-        };
+        }
+        let steps = self.steps()?;
+        let Some((last, parents)) = steps.split_last() else { return Ok(()) };
         let mut node = root;
         for (i, step) in parents.iter().enumerate() {
             node = self.enter(node, step, steps[i + 1].is_index)?;
@@ -100,8 +101,8 @@ impl<'a> Edit<'a> {
                     ),
                 }
             }
-            Value::Array(items) => match find(items, step) {
-                Ok(index) => return Ok(&mut items[index]),
+            Value::Array(array) => match find(&array.items, step) {
+                Ok(index) => return Ok(&mut array.items[index]),
                 Err(failure) => failure,
             },
             _ => (

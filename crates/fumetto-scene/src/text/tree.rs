@@ -24,8 +24,16 @@ pub(crate) enum Value {
     Float(f64),
     Bool(bool),
     Datetime,
-    Array(Vec<Node>),
+    Array(Array),
     Table(Table),
+}
+
+/// Values in a row.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Array {
+    pub(crate) items: Vec<Node>,
+    /// Rising numbers, in the text, of the items that were reported and taken out.
+    pub(crate) removed: Vec<usize>,
 }
 
 /// Keys and their values.
@@ -59,10 +67,27 @@ impl Table {
         self.entries.push(entry);
     }
 
-    /// Takes `key` out and remembers that it was there.
-    pub(crate) fn remove(&mut self, key: &str) {
-        self.entries.retain(|entry| entry.key != key);
-        self.removed.push(key.to_owned());
+    /// Takes some keys out and remembers that they were there.
+    pub(crate) fn remove_where(&mut self, go: impl Fn(&str) -> bool) -> Vec<Entry> {
+        let entries = std::mem::take(&mut self.entries);
+        let (gone, kept) = entries.into_iter().partition::<Vec<_>, _>(|entry| go(&entry.key));
+        self.entries = kept;
+        self.removed.extend(gone.iter().map(|entry| entry.key.clone()));
+        gone
+    }
+}
+
+impl Array {
+    /// Keeps what `fits`, and remembers what it took out.
+    pub(crate) fn retain(&mut self, fits: &[bool]) {
+        self.removed = fits.iter().enumerate().filter(|(_, fits)| !**fits).map(|(i, _)| i).collect();
+        let mut fits = fits.iter();
+        self.items.retain(|_| fits.next().is_none_or(|fits| *fits));
+    }
+
+    /// The number that an item, now number `index`, has in the text.
+    pub(crate) fn index_in_text(&self, index: usize) -> usize {
+        self.removed.iter().fold(index, |index, removed| index + usize::from(*removed <= index))
     }
 }
 
@@ -87,7 +112,7 @@ impl Node {
             Value::Table(table) => {
                 !table.removed.is_empty() || table.entries.iter().any(|entry| entry.node.is_damaged())
             }
-            Value::Array(items) => items.iter().any(Self::is_damaged),
+            Value::Array(array) => !array.removed.is_empty() || array.items.iter().any(Self::is_damaged),
             _ => false,
         }
     }
@@ -101,7 +126,7 @@ impl Node {
             Value::Float(value) => format!("the number {value}"),
             Value::Bool(value) => format!("`{value}`"),
             Value::Datetime => "a date".into(),
-            Value::Array(items) if items.is_empty() => "an empty array".into(),
+            Value::Array(array) if array.items.is_empty() => "an empty array".into(),
             Value::Array(_) => "an array".into(),
             Value::Table(_) => "a table".into(),
         }
@@ -118,7 +143,7 @@ impl Node {
             Value::Float(value) => (*value).into(),
             Value::Bool(value) => (*value).into(),
             Value::Datetime => toml::Value::String("a date".into()),
-            Value::Array(items) => toml::Value::Array(items.iter().map(Self::to_toml).collect()),
+            Value::Array(array) => toml::Value::Array(array.items.iter().map(Self::to_toml).collect()),
             Value::Table(table) => toml::Value::Table(
                 table.entries.iter().map(|entry| (entry.key.clone(), entry.node.to_toml())).collect(),
             ),
