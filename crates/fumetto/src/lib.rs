@@ -1,1 +1,42 @@
-//! The engine.
+//! The Fumetto engine: simulates smoke and draws it as a cartoonist would.
+//!
+//! ```text
+//! Scene ─▶ Player ─▶ particles ─▶ puffs ─▶ layers ─▶ light ─▶ ink ─▶ tone ─▶ picture
+//! ```
+//!
+//! The engine takes a `wgpu` device that somebody else may own and draws into a texture view; it knows
+//! no window and opens no file. [`Engine`] holds what lives long, [`Player`] one scene at one moment.
+//!
+//! ```no_run
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! # let scene: fumetto_scene::Scene = unimplemented!();
+//! # struct Files;
+//! # impl fumetto::Assets for Files { fn read(&self, _: &str) -> std::io::Result<Vec<u8>> { Ok(vec![]) } }
+//! use fumetto::{Engine, Gpu, Shot};
+//!
+//! let mut engine = Engine::new(pollster::block_on(Gpu::headless())?);
+//! let mut player = engine.play(scene, Box::new(Files))?;
+//! engine.seek(&mut player, 24)?;
+//! let picture = engine.picture(&player, &Shot::of(player.scene()))?;
+//! # Ok(()) }
+//! ```
+
+mod assets;
+mod engine;
+mod error;
+mod frame;
+mod gpu;
+mod ink;
+mod layers;
+mod light;
+mod object;
+mod particles;
+mod player;
+mod shapes;
+mod tone;
+
+pub use assets::Assets;
+pub use engine::{Engine, PICTURE_FORMAT, Shot};
+pub use error::Error;
+pub use gpu::{Gpu, GpuError, read_texture};
+pub use player::Player;

@@ -1,0 +1,93 @@
+//! Links each shader program from its listed modules, and checks it.
+//!
+//! WGSL has no imports, so a program is the plain concatenation of its modules. A program that
+//! does not parse or validate fails the build, with the module's own file name and line.
+
+use std::{env, fs, path::Path, process::ExitCode};
+
+use naga::valid::{Capabilities, ValidationFlags, Validator};
+
+/// Every program: its name, then its modules (`src/….wgsl`), what is used before what uses it.
+const PROGRAMS: &[(&str, &[&str])] = &[
+    ("gpu/compact", &["gpu/compact"]),
+    ("particles/step", &["gpu/random", "gpu/noise", "particles/state", "particles/air", "particles/step"]),
+    ("shapes/puffs/atlas", &["gpu/fullscreen", "shapes/puffs/atlas"]),
+    ("shapes/puffs/mip", &["gpu/fullscreen", "shapes/puffs/mip"]),
+    ("shapes/puffs/present", &["gpu/random", "particles/state", "shapes/puffs/puff", "shapes/puffs/look", "shapes/puffs/present"]),
+    ("shapes/puffs/occluders", &["gpu/view", "shapes/puffs/puff", "shapes/puffs/sprite", "shapes/puffs/pyramid", "shapes/puffs/occluders"]),
+    ("shapes/puffs/spread", &["shapes/puffs/pyramid", "shapes/puffs/spread"]),
+    ("shapes/puffs/cull", &["gpu/view", "object", "shapes/puffs/puff", "shapes/puffs/sprite", "shapes/puffs/pyramid", "shapes/puffs/visible", "ink/width", "shapes/puffs/cull"]),
+    ("shapes/puffs/form", &["object", "shapes/puffs/puff", "shapes/puffs/form_grid", "shapes/puffs/form"]),
+    ("shapes/puffs/body", &["gpu/view", "shapes/puffs/puff", "shapes/puffs/sprite", "shapes/puffs/billboard", "shapes/puffs/body"]),
+    ("shapes/puffs/normal", &["gpu/view", "gpu/fullscreen", "object", "shapes/puffs/puff", "shapes/puffs/sprite", "shapes/puffs/billboard", "shapes/puffs/form_grid", "shapes/puffs/normal"]),
+    ("light/casters", &["gpu/view", "object", "shapes/puffs/puff", "shapes/puffs/pyramid", "shapes/puffs/visible", "light/lights", "light/sweep", "light/casters"]),
+    ("light/flatten", &["gpu/fullscreen", "light/flatten"]),
+    ("light/volume", &["gpu/view", "object", "shapes/puffs/puff", "shapes/puffs/billboard", "light/lights", "light/sweep", "light/volume"]),
+    ("light/shadowed", &["gpu/fullscreen", "light/shadowed"]),
+    ("light/soften", &["gpu/fullscreen", "light/soften"]),
+    ("ink/outline", &["gpu/view", "object", "shapes/puffs/puff", "shapes/puffs/sprite", "shapes/puffs/billboard", "light/lights", "ink/width", "ink/outline"]),
+    ("ink/share", &["gpu/fullscreen", "ink/share"]),
+    ("ink/around", &["gpu/fullscreen", "ink/around"]),
+    ("tone/flat", &["gpu/view", "gpu/fullscreen", "object", "shapes/puffs/puff", "light/lights", "tone/flat"]),
+    ("tone/compose", &["gpu/fullscreen", "object", "tone/compose"]),
+];
+
+fn main() -> ExitCode {
+    println!("cargo::rerun-if-changed=build.rs");
+    let out = env::var("OUT_DIR").expect("cargo sets OUT_DIR");
+    let mut broken = 0;
+    for (name, modules) in PROGRAMS {
+        let program = Program::link(modules);
+        if let Err(message) = program.check() {
+            println!("cargo::error={name}: {message}");
+            broken += 1;
+        }
+        let path = Path::new(&out).join(format!("{name}.wgsl"));
+        fs::create_dir_all(path.parent().expect("the path has a folder")).expect("OUT_DIR is writable");
+        fs::write(&path, &program.text).expect("OUT_DIR is writable");
+    }
+    if broken == 0 { ExitCode::SUCCESS } else { ExitCode::FAILURE }
+}
+
+/// A linked program and where its lines come from.
+struct Program {
+    text: String,
+    /// Each module with the number of its first line in `text`, from 0.
+    starts: Vec<(&'static str, u32)>,
+}
+
+impl Program {
+    fn link(modules: &[&'static str]) -> Self {
+        let mut program = Self { text: String::new(), starts: Vec::new() };
+        let mut lines = 0;
+        for module in modules {
+            let path = format!("src/{module}.wgsl");
+            println!("cargo::rerun-if-changed={path}");
+            let text = fs::read_to_string(&path).unwrap_or_else(|error| panic!("{path}: {error}"));
+            program.starts.push((module, lines));
+            lines += u32::try_from(text.lines().count()).expect("a shader has fewer lines than u32");
+            program.text.push_str(&text);
+        }
+        program
+    }
+
+    fn check(&self) -> Result<(), String> {
+        let module = naga::front::wgsl::parse_str(&self.text)
+            .map_err(|error| self.place(error.location(&self.text), error.message()))?;
+        Validator::new(ValidationFlags::all(), Capabilities::default()).validate(&module).map(|_| ()).map_err(
+            |error| {
+                let causes = std::iter::successors(std::error::Error::source(error.as_inner()), |cause| cause.source());
+                let message = causes.fold(error.to_string(), |text, cause| format!("{text}: {cause}"));
+                self.place(error.location(&self.text), &message)
+            },
+        )
+    }
+
+    /// `message` with the module and line that it is about.
+    fn place(&self, location: Option<naga::SourceLocation>, message: &str) -> String {
+        let Some(location) = location else { return message.to_owned() };
+        let line = location.line_number - 1;
+        let (module, start) = self.starts.iter().rfind(|(_, start)| *start <= line).expect("the first module starts at 0");
+        format!("src/{module}.wgsl:{}:{}: {message}", line - start + 1, location.line_position)
+    }
+}

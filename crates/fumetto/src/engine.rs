@@ -1,0 +1,176 @@
+use fumetto_formats::Image;
+use fumetto_scene::{Camera, Scene};
+
+use crate::{
+    Assets, Error, Player,
+    frame::Painter,
+    gpu::{Frame, Gpu, TexturePool, read_texture},
+    particles::Particles,
+    player::PlayedMatter,
+    shapes::puffs::Present,
+};
+
+/// What the picture is drawn into: sRGB bytes, straight alpha.
+pub const PICTURE_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
+
+/// Steps that are recorded before they are handed to the queue: enough to keep a GPU busy, few enough
+/// not to time out one.
+const STEPS_A_SUBMIT: u64 = 8;
+
+/// What lives long: the device, the pipelines, and the textures that frames share.
+pub struct Engine {
+    gpu: Gpu,
+    pool: TexturePool,
+    particles: Particles,
+    present: Present,
+    painter: Painter,
+}
+
+/// Which picture to take of a scene.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Shot {
+    /// From where.
+    pub camera: Camera,
+    /// Width and height in pixels.
+    pub size: [u32; 2],
+    /// Samples along each side of a pixel, 1 (hard edges) to 4.
+    pub antialias: u32,
+}
+
+impl Shot {
+    /// The scene's own: its first camera, size and quality.
+    ///
+    /// # Panics
+    /// When the scene has no camera, which a checked scene always has.
+    #[must_use]
+    pub fn of(scene: &Scene) -> Self {
+        Self { camera: scene.cameras[0].clone(), size: scene.output.size, antialias: scene.output.antialias }
+    }
+}
+
+impl Engine {
+    /// Builds all pipelines on `gpu`.
+    #[must_use]
+    pub fn new(gpu: Gpu) -> Self {
+        Self {
+            particles: Particles::new(&gpu),
+            present: Present::new(&gpu),
+            painter: Painter::new(&gpu),
+            pool: TexturePool::default(),
+            gpu,
+        }
+    }
+
+    /// The device.
+    #[must_use]
+    pub fn gpu(&self) -> &Gpu {
+        &self.gpu
+    }
+
+    /// Takes a scene to its beginning; the files it names come from `assets`.
+    ///
+    /// # Errors
+    /// When a file is missing or broken, or the scene does not fit the device.
+    pub fn play(&self, scene: Scene, assets: Box<dyn Assets>) -> Result<Player, Error> {
+        let player = Player::new(&self.gpu, scene, assets)?;
+        player.upload_still(&self.gpu);
+        Ok(player)
+    }
+
+    /// Takes the scene to `frame`, forward from where it is or from the start. On twos, every other
+    /// frame looks like the one before it.
+    ///
+    /// # Errors
+    /// When a file of a sequence is missing or broken.
+    pub fn seek(&self, player: &mut Player, frame: u32) -> Result<(), Error> {
+        let frame = player.held(frame);
+        if player.shown == Some(frame) {
+            return Ok(());
+        }
+        player.read_sequences(&self.gpu, frame)?;
+        self.advance(player, u64::from(frame) * u64::from(player.scene().time.substeps));
+        self.show(player);
+        player.shown = Some(frame);
+        Ok(())
+    }
+
+    /// Runs the simulation to just after `steps` steps.
+    fn advance(&self, player: &mut Player, steps: u64) {
+        if steps < player.steps {
+            let mut frame = Frame::new(&self.gpu, &self.pool, "particles.reset");
+            for emission in player.emissions() {
+                emission.reset(&mut frame);
+            }
+            frame.submit();
+            player.steps = 0;
+        }
+        let dt = player.scene().time.step_secs();
+        while player.steps < steps {
+            let end = steps.min(player.steps + STEPS_A_SUBMIT);
+            let mut frame = Frame::new(&self.gpu, &self.pool, "particles.steps");
+            for step in player.steps..end {
+                for emission in player.emissions() {
+                    self.particles.step(&mut frame, emission, step, dt);
+                }
+            }
+            frame.submit();
+            player.steps = end;
+        }
+    }
+
+    /// Turns the particles into puffs.
+    fn show(&self, player: &Player) {
+        let mut frame = Frame::new(&self.gpu, &self.pool, "shapes.puffs.present");
+        for object in &player.objects {
+            if let PlayedMatter::Smoke(emissions) = &object.matter {
+                let mut placement = object.placement;
+                for emission in emissions {
+                    self.present.record(&mut frame, emission, placement, &player.puffs.puffs);
+                    placement.first += emission.capacity();
+                    placement.seed = placement.seed.wrapping_add(1);
+                }
+            }
+        }
+        frame.submit();
+    }
+
+    /// Draws the moment that `player` is at into `target`, of [`PICTURE_FORMAT`] and the shot's size.
+    ///
+    /// Nothing is read back and nothing waits.
+    ///
+    /// # Errors
+    /// When the picture is too large for the device.
+    pub fn draw(&mut self, player: &Player, shot: &Shot, target: &wgpu::TextureView) -> Result<(), Error> {
+        let needed = u64::from(shot.size[0].max(shot.size[1])) * u64::from(shot.antialias);
+        let allowed = self.gpu.device.limits().max_texture_dimension_2d;
+        if needed > u64::from(allowed) {
+            let [width, height] = shot.size;
+            return Err(Error::TooLarge { width, height, antialias: shot.antialias, needed, allowed });
+        }
+        self.painter.paint(&self.gpu, &self.pool, player, shot, target);
+        self.pool.end_frame();
+        Ok(())
+    }
+
+    /// Draws the moment that `player` is at and reads it back. Waits for the device.
+    ///
+    /// # Errors
+    /// When the picture is too large for the device, or the device is lost.
+    pub fn picture(&mut self, player: &Player, shot: &Shot) -> Result<Image, Error> {
+        let [width, height] = shot.size;
+        let texture = self.gpu.device.create_texture(&wgpu::TextureDescriptor {
+            label: Some("engine.picture"),
+            size: wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
+            mip_level_count: 1,
+            sample_count: 1,
+            dimension: wgpu::TextureDimension::D2,
+            format: PICTURE_FORMAT,
+            usage: wgpu::TextureUsages::RENDER_ATTACHMENT
+                | wgpu::TextureUsages::TEXTURE_BINDING
+                | wgpu::TextureUsages::COPY_SRC,
+            view_formats: &[],
+        });
+        self.draw(player, shot, &texture.create_view(&wgpu::TextureViewDescriptor::default()))?;
+        Ok(Image { width, height, pixels: read_texture(&self.gpu, &texture)? })
+    }
+}

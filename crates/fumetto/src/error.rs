@@ -1,0 +1,56 @@
+use std::io;
+
+use fumetto_formats::FormatError;
+use thiserror::Error;
+
+use crate::{gpu::GpuError, shapes::puffs::AtlasError};
+
+/// Why a scene cannot be played or drawn.
+#[derive(Debug, Error)]
+pub enum Error {
+    /// A file that the scene names cannot be read.
+    #[error("cannot read `{path}`: {source}")]
+    Asset {
+        /// As the scene names it.
+        path: String,
+        /// Why.
+        source: io::Error,
+    },
+    /// A file that the scene names does not hold what it should.
+    #[error(transparent)]
+    Format(#[from] FormatError),
+    /// The puffs' pictures do not fit into one texture.
+    #[error(transparent)]
+    Atlas(#[from] AtlasError),
+    /// The picture is too large to draw at once.
+    #[error(
+        "a picture of {width} x {height} pixels with {antialias} samples along each side of a pixel needs a \
+         texture {needed} pixels long; this device allows {allowed}. Make `output.size` or `output.antialias` smaller"
+    )]
+    TooLarge {
+        /// Pixels.
+        width: u32,
+        /// Pixels.
+        height: u32,
+        /// Samples along a side.
+        antialias: u32,
+        /// Width or height in samples.
+        needed: u64,
+        /// Of the device.
+        allowed: u32,
+    },
+    /// More particles than a storage buffer holds.
+    #[error(
+        "the scene needs room for {asked} particles at once; this device allows {allowed}. Lower an emitter's \
+         `rate`, `count`, `bursts` or `life`"
+    )]
+    TooMany {
+        /// Particles.
+        asked: u64,
+        /// Of the device.
+        allowed: u64,
+    },
+    /// The device cannot be had, or failed.
+    #[error(transparent)]
+    Gpu(#[from] GpuError),
+}

@@ -1,0 +1,85 @@
+//! Lists the items that a cull left, and draws exactly those, with nothing read back.
+
+use super::{Frame, Gpu, Slot, kernels, shader, workgroups};
+
+/// Items that one invocation looks at. Also in `compact.wgsl`.
+const RUN: u32 = 32;
+
+/// Long-lived kernels.
+#[derive(Debug)]
+pub(crate) struct Compact {
+    count: wgpu::ComputePipeline,
+    scan: wgpu::ComputePipeline,
+    scatter: wgpu::ComputePipeline,
+}
+
+/// The items of one flag, and the draw over them.
+#[derive(Debug)]
+pub(crate) struct DrawList {
+    /// The items' numbers, rising.
+    pub(crate) items: wgpu::Buffer,
+    /// Arguments of an indirect draw.
+    pub(crate) draw: wgpu::Buffer,
+    before: wgpu::Buffer,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
+struct CompactionUniform {
+    items: u32,
+    mask: u32,
+    vertices: u32,
+    pad: u32,
+}
+
+impl DrawList {
+    /// Room for `capacity` items.
+    pub(crate) fn new(gpu: &Gpu, label: &str, capacity: u32) -> Self {
+        let buffer = |words: u32, usage| {
+            gpu.device.create_buffer(&wgpu::BufferDescriptor {
+                label: Some(label),
+                size: u64::from(words.max(1)) * 4,
+                usage: wgpu::BufferUsages::STORAGE | usage,
+                mapped_at_creation: false,
+            })
+        };
+        Self {
+            items: buffer(capacity, wgpu::BufferUsages::COPY_SRC),
+            draw: buffer(4, wgpu::BufferUsages::INDIRECT | wgpu::BufferUsages::COPY_SRC),
+            before: buffer(capacity.div_ceil(RUN), wgpu::BufferUsages::empty()),
+        }
+    }
+}
+
+impl Compact {
+    pub(crate) fn new(gpu: &Gpu) -> Self {
+        let slots = [Slot::Uniform, Slot::Read, Slot::Write, Slot::Write, Slot::Write];
+        let [count, scan, scatter] = kernels(gpu, shader!("gpu/compact"), &slots, ["count", "scan", "scatter"]);
+        Self { count, scan, scatter }
+    }
+
+    /// Lists the first `items` items whose `flags` share a bit with `mask`; each is drawn with
+    /// `vertices` vertices.
+    pub(crate) fn record(
+        &self,
+        frame: &mut Frame<'_>,
+        flags: &wgpu::Buffer,
+        items: u32,
+        mask: u32,
+        vertices: u32,
+        list: &DrawList,
+    ) {
+        let uniform = frame.uniform("gpu.compact.uniform", &CompactionUniform { items, mask, vertices, pad: 0 });
+        let bindings = [
+            uniform.as_entire_binding(),
+            flags.as_entire_binding(),
+            list.before.as_entire_binding(),
+            list.items.as_entire_binding(),
+            list.draw.as_entire_binding(),
+        ];
+        let runs = workgroups(items.div_ceil(RUN));
+        frame.compute("gpu.compact.count", &self.count, &bindings, runs);
+        frame.compute("gpu.compact.scan", &self.scan, &bindings, [1, 1, 1]);
+        frame.compute("gpu.compact.scatter", &self.scatter, &bindings, runs);
+    }
+}

@@ -1,0 +1,71 @@
+//! Compute pipelines of one program that share their bindings.
+
+use super::Gpu;
+
+/// What is bound to one number.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Slot {
+    Uniform,
+    /// A storage buffer that is only read.
+    Read,
+    /// A storage buffer that is written too.
+    Write,
+    /// A 3-D texture of half floats that is written.
+    WriteTexture3d,
+}
+
+impl Slot {
+    fn binding_type(self) -> wgpu::BindingType {
+        let buffer = |ty| wgpu::BindingType::Buffer { ty, has_dynamic_offset: false, min_binding_size: None };
+        match self {
+            Self::Uniform => buffer(wgpu::BufferBindingType::Uniform),
+            Self::Read => buffer(wgpu::BufferBindingType::Storage { read_only: true }),
+            Self::Write => buffer(wgpu::BufferBindingType::Storage { read_only: false }),
+            Self::WriteTexture3d => wgpu::BindingType::StorageTexture {
+                access: wgpu::StorageTextureAccess::WriteOnly,
+                format: wgpu::TextureFormat::Rgba16Float,
+                view_dimension: wgpu::TextureViewDimension::D3,
+            },
+        }
+    }
+}
+
+/// One pipeline for each of `entries`; slots are numbered from 0.
+///
+/// All share one layout, though not every entry uses every slot, so that one list of bindings serves
+/// them all.
+pub(crate) fn kernels<const N: usize>(
+    gpu: &Gpu,
+    program: wgpu::ShaderModuleDescriptor<'_>,
+    slots: &[Slot],
+    entries: [&str; N],
+) -> [wgpu::ComputePipeline; N] {
+    let label = program.label;
+    let module = gpu.device.create_shader_module(program);
+    let slots: Vec<_> = (0..)
+        .zip(slots)
+        .map(|(binding, slot)| wgpu::BindGroupLayoutEntry {
+            binding,
+            visibility: wgpu::ShaderStages::COMPUTE,
+            ty: slot.binding_type(),
+            count: None,
+        })
+        .collect();
+    let group =
+        gpu.device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label, entries: &slots });
+    let layout = gpu.device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+        label,
+        bind_group_layouts: &[Some(&group)],
+        immediate_size: 0,
+    });
+    entries.map(|entry| {
+        gpu.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+            label,
+            layout: Some(&layout),
+            module: &module,
+            entry_point: Some(entry),
+            compilation_options: wgpu::PipelineCompilationOptions::default(),
+            cache: None,
+        })
+    })
+}

@@ -1,0 +1,21 @@
+//! The graphics device and what every pass needs of it. Knows nothing of smoke.
+
+mod compact;
+mod device;
+mod kernels;
+mod pass;
+mod pool;
+mod readback;
+mod shader;
+mod view;
+
+pub use device::{Gpu, GpuError};
+pub use readback::read_texture;
+
+pub(crate) use compact::{Compact, DrawList};
+pub(crate) use device::workgroups;
+pub(crate) use kernels::{Slot, kernels};
+pub(crate) use pass::{Frame, RasterPipeline, Target};
+pub(crate) use pool::{TexturePool, Transient};
+pub(crate) use shader::shader;
+pub(crate) use view::View;

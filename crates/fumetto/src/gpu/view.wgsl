@@ -1,0 +1,40 @@
+// The camera, as every pass sees it.
+
+struct View {
+    view_from_world: mat4x4f,
+    world_from_view: mat4x4f,
+    // Of the picture that is drawn, samples included.
+    size_px: vec2f,
+    // Pixels per metre at a distance of one metre.
+    focal_px: f32,
+    // Distance of the near plane in metres.
+    near: f32,
+}
+
+@group(0) @binding(0) var<uniform> view: View;
+
+// Reverse-Z with an infinite far plane: 1 at the near plane, 0 infinitely far.
+fn depth_of(distance: f32) -> f32 {
+    return view.near / max(distance, view.near);
+}
+
+fn distance_of(depth: f32) -> f32 {
+    return view.near / depth;
+}
+
+// A place in view space (looking along -z) to pixels from the top left.
+fn px_of(position: vec3f) -> vec2f {
+    return 0.5 * view.size_px + vec2f(position.x, -position.y) * (view.focal_px / -position.z);
+}
+
+// The ray through a pixel, one metre deep.
+fn ray_of(px: vec2f) -> vec3f {
+    let offset = (px - 0.5 * view.size_px) / view.focal_px;
+    return vec3f(offset.x, -offset.y, -1.0);
+}
+
+// Pixels to clip space at a given depth.
+fn clip_of(px: vec2f, depth: f32) -> vec4f {
+    let ndc = px / view.size_px * 2.0 - 1.0;
+    return vec4f(ndc.x, -ndc.y, depth, 1.0);
+}

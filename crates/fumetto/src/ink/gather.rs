@@ -1,0 +1,64 @@
+//! How much ink there is around each place.
+
+use crate::gpu::{Frame, Gpu, RasterPipeline, Target, Transient, shader};
+
+const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::R8Unorm;
+
+/// Cells to each side of the window. Also in `around.wgsl`.
+const WINDOW_CELLS: u32 = 5;
+
+/// Long-lived pipelines.
+#[derive(Debug)]
+pub(crate) struct Gather {
+    share: wgpu::RenderPipeline,
+    around: wgpu::RenderPipeline,
+}
+
+/// Ink around each cell of the picture.
+#[derive(Debug)]
+pub(crate) struct InkAround {
+    pub(crate) layer: Transient,
+    /// Pixels along the side of a cell.
+    pub(crate) cell: u32,
+}
+
+impl InkAround {
+    /// Area of the window that is summed over, in pixels.
+    pub(crate) fn window(&self) -> f32 {
+        (WINDOW_CELLS * self.cell).pow(2) as f32
+    }
+}
+
+impl Gather {
+    pub(crate) fn new(gpu: &Gpu) -> Self {
+        let build = |program, label| {
+            let module = gpu.device.create_shader_module(program);
+            RasterPipeline { label, targets: &[FORMAT], ..Default::default() }.build(&gpu.device, &module)
+        };
+        Self {
+            share: build(shader!("ink/share"), "ink.share"),
+            around: build(shader!("ink/around"), "ink.around"),
+        }
+    }
+
+    /// Sums `ink`, a layer of `size`, in cells of `cell` pixels.
+    pub(crate) fn record(&self, frame: &mut Frame<'_>, ink: &Transient, size: [u32; 2], cell: u32) -> InkAround {
+        let cells = size.map(|pixels| pixels.div_ceil(cell));
+        let share = frame.texture("ink.share", cells, FORMAT);
+        let uniform = frame.uniform("ink.share.uniform", &[cell, 0, 0, 0]);
+        frame.fullscreen(
+            "ink.share",
+            &self.share,
+            Target::colour(&share, Some(wgpu::Color::TRANSPARENT)),
+            &[uniform.as_entire_binding(), wgpu::BindingResource::TextureView(ink)],
+        );
+        let around = frame.texture("ink.around", cells, FORMAT);
+        frame.fullscreen(
+            "ink.around",
+            &self.around,
+            Target::colour(&around, Some(wgpu::Color::TRANSPARENT)),
+            &[wgpu::BindingResource::TextureView(&share)],
+        );
+        InkAround { layer: around, cell }
+    }
+}

@@ -1,0 +1,62 @@
+//! Outlines by ink billboards behind the puffs.
+
+use crate::{
+    gpu::{DrawList, Frame, Gpu, RasterPipeline, Target, Transient, shader},
+    layers::{self, Layers},
+    shapes::puffs::{Atlas, PuffScene},
+};
+
+/// Number of the inked object + 1, 0 where there is no ink.
+pub(crate) const INK_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::R8Uint;
+
+/// The long-lived pipeline.
+#[derive(Debug)]
+pub(crate) struct Outline {
+    pipeline: wgpu::RenderPipeline,
+}
+
+impl Outline {
+    pub(crate) fn new(gpu: &Gpu) -> Self {
+        let module = gpu.device.create_shader_module(shader!("ink/outline"));
+        let pipeline = RasterPipeline {
+            label: "ink.outline",
+            targets: &[INK_FORMAT],
+            depth: Some(layers::in_front()),
+            ..Default::default()
+        };
+        Self { pipeline: pipeline.build(&gpu.device, &module) }
+    }
+
+    /// Inks the listed puffs.
+    pub(crate) fn record(
+        &self,
+        frame: &mut Frame<'_>,
+        view: &wgpu::Buffer,
+        lights: &wgpu::Buffer,
+        scene: &PuffScene,
+        list: &DrawList,
+        layers: &Layers,
+    ) -> Transient {
+        let ink = frame.texture("ink.outline", layers.size, INK_FORMAT);
+        let Atlas { view: texture, sampler, uniform, .. } = &scene.atlas;
+        frame.raster(
+            "ink.outline",
+            &self.pipeline,
+            Target::colour(&ink, Some(wgpu::Color::TRANSPARENT)).with_depth_test(&layers.depth),
+            &[
+                view.as_entire_binding(),
+                uniform.as_entire_binding(),
+                scene.puffs.as_entire_binding(),
+                list.items.as_entire_binding(),
+                scene.styles.as_entire_binding(),
+                lights.as_entire_binding(),
+                wgpu::BindingResource::TextureView(texture),
+                wgpu::BindingResource::Sampler(sampler),
+                wgpu::BindingResource::TextureView(&layers.id),
+                wgpu::BindingResource::TextureView(&layers.depth),
+            ],
+            |pass| pass.draw_indirect(&list.draw, 0),
+        );
+        ink
+    }
+}

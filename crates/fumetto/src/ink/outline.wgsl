@@ -1,0 +1,74 @@
+// Outlines: a second, larger billboard behind each puff (McGuire & Fein 2004, section 1.3). The margin
+// in the atlas makes it larger by the same width all round. It hides nothing itself, so that all ink
+// billboards only have to pass the depth of the bodies, in any order.
+//
+// Ours: lines taper where what lies behind comes close, and thin toward the light.
+
+@group(0) @binding(1) var<uniform> atlas: Atlas;
+@group(0) @binding(2) var<storage, read> puffs: array<Puff>;
+@group(0) @binding(3) var<storage, read> list: array<u32>;
+@group(0) @binding(4) var<storage, read> styles: array<ObjectStyle>;
+@group(0) @binding(5) var<uniform> lights: Lights;
+@group(0) @binding(6) var atlas_texture: texture_2d<f32>;
+@group(0) @binding(7) var atlas_sampler: sampler;
+@group(0) @binding(8) var id_layer: texture_2d<u32>;
+@group(0) @binding(9) var depth_layer: texture_depth_2d;
+
+struct Corner {
+    @builtin(position) position: vec4f,
+    // In the puff's own frame.
+    @location(0) p: vec2f,
+    // Where the light comes from in the puff's own frame (0 to 1 long), level of the atlas.
+    @location(1) @interpolate(flat) light: vec3f,
+    // Widths of an outline and of an inner line and erosion, all in the puff's margin; share of the
+    // width that goes where it is lit.
+    @location(2) @interpolate(flat) width: vec4f,
+    // Distance of the billboard, distance behind it at which lines have their full width.
+    @location(3) @interpolate(flat) taper: vec2f,
+    // Object + 1, variant.
+    @location(4) @interpolate(flat) id: vec2u,
+}
+
+@vertex
+fn vertex(@builtin(vertex_index) index: u32) -> Corner {
+    let puff = puffs[list[index / 3u]];
+    let style = styles[puff_object(puff)];
+    let sprite = sprite_of(puff);
+    let width_px = ink_width_px(style, sprite.distance);
+    let offset = TRIANGLE[index % 3u] * (sprite.radius_px + width_px);
+    let distance = sprite.distance + style.ink_offset * 2.0 * puff.radius;
+    let rotation = puff_rotation(puff);
+    var light = vec2f(0.0);
+    if lights.count > 0u {
+        let direction = (view.view_from_world * vec4f(toward(lights.light[0], puff.center), 0.0)).xy;
+        light = puff_from_px(vec2f(direction.x, -direction.y), 1.0, rotation);
+    }
+    let width = width_px / sprite.radius_px;
+    return Corner(
+        clip_of(sprite.px + offset, depth_of(distance)),
+        puff_from_px(offset, sprite.radius_px, rotation),
+        vec3f(light, atlas_level(sprite.radius_px, atlas)),
+        vec4f(width, width * style.ink_inner, puff_fade(puff).x, style.ink_lit_thinning),
+        vec2f(distance, puff.radius),
+        vec2u(puff_object(puff) + 1u, puff_variant(puff)),
+    );
+}
+
+@fragment
+fn fragment(corner: Corner) -> @location(0) u32 {
+    let uv = atlas_uv(corner.p, f32(corner.id.y), corner.light.z, atlas);
+    let outside = max(abs(corner.p) - TILE_EXTENT, vec2f(0.0));
+    let margin = textureSampleLevel(atlas_texture, atlas_sampler, uv, corner.light.z).w - length(outside);
+    let lit = max(dot(corner.p, corner.light.xy) / max(length(corner.p), 1e-3), 0.0);
+    let at = vec2i(corner.position.xy);
+    var width = corner.width.x * (1.0 - corner.width.w * lit);
+    if textureLoad(id_layer, at, 0).x != 0u {
+        let gap = distance_of(textureLoad(depth_layer, at, 0)) - corner.taper.x;
+        let taper = clamp(gap / corner.taper.y, 0.0, 1.0);
+        width = corner.width.y * taper * (1.0 - corner.width.w * min(2.0 * lit, 1.0));
+    }
+    if margin <= corner.width.z - width {
+        discard;
+    }
+    return corner.id.x;
+}

@@ -1,0 +1,67 @@
+//! The drawing layers: what every shape fills and every style reads.
+
+use crate::gpu::{Frame, Target, Transient};
+
+/// Reverse-Z depth: 1 at the near plane, 0 where there is nothing.
+pub(crate) const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
+
+/// Number of the puff + 1, 0 where there is nothing.
+pub(crate) const ID_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::R32Uint;
+
+/// World-space normal; logarithm to base 2 of the distance in metres.
+pub(crate) const NORMAL_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
+
+/// The layers of one cel.
+#[derive(Debug)]
+pub(crate) struct Layers {
+    pub(crate) size: [u32; 2],
+    pub(crate) depth: Transient,
+    pub(crate) id: Transient,
+}
+
+impl Layers {
+    /// Takes layers from the frame's pool; they hold nothing sensible yet.
+    pub(crate) fn new(frame: &Frame<'_>, size: [u32; 2]) -> Self {
+        Self {
+            size,
+            depth: frame.texture("layers.depth", size, DEPTH_FORMAT),
+            id: frame.texture("layers.id", size, ID_FORMAT),
+        }
+    }
+
+    /// Where shapes draw: into nothing, or into what is behind the surfaces of `nearer`.
+    pub(crate) fn target<'a>(&'a self, frame: &mut Frame<'_>, nearer: Option<&Layers>) -> Target<'a> {
+        if let Some(nearer) = nearer {
+            let (from, to) = (nearer.depth.texture(), self.depth.texture());
+            frame.encoder.copy_texture_to_texture(from.as_image_copy(), to.as_image_copy(), from.size());
+        }
+        let clear = nearer.is_none().then_some(0.0);
+        Target::colour(&self.id, Some(wgpu::Color::TRANSPARENT)).with_depth(&self.depth, clear)
+    }
+}
+
+/// Depth state of shapes: the nearest surface stays.
+pub(crate) fn nearest_wins() -> wgpu::DepthStencilState {
+    depth_state(true, wgpu::CompareFunction::Greater)
+}
+
+/// Depth state of what must lie in front of every shape to be seen, but hides nothing itself.
+pub(crate) fn in_front() -> wgpu::DepthStencilState {
+    depth_state(false, wgpu::CompareFunction::Greater)
+}
+
+/// Depth state of full-screen passes that only concern pixels with a shape: their triangle lies
+/// infinitely far away, and whatever is nearer passes.
+pub(crate) fn where_filled() -> wgpu::DepthStencilState {
+    depth_state(false, wgpu::CompareFunction::Less)
+}
+
+fn depth_state(write: bool, compare: wgpu::CompareFunction) -> wgpu::DepthStencilState {
+    wgpu::DepthStencilState {
+        format: DEPTH_FORMAT,
+        depth_write_enabled: Some(write),
+        depth_compare: Some(compare),
+        stencil: wgpu::StencilState::default(),
+        bias: wgpu::DepthBiasState::default(),
+    }
+}

@@ -1,0 +1,219 @@
+//! Hard shadows by nailboard shadow volumes in the stencil buffer.
+//!
+//! Counted where depth fails ("z-fail"), so that a camera inside a volume changes nothing. The two
+//! polygons of a puff follow each other, back before front, and the counts saturate instead of
+//! wrapping: a puff that does not shadow a pixel adds one and takes it away again, so that however many
+//! volumes overlap, a shadowed pixel never falls back to zero.
+
+use super::LightsUniform;
+use crate::{
+    gpu::{Compact, DrawList, Frame, Gpu, RasterPipeline, Slot, Target, Transient, kernels, shader, workgroups},
+    layers::Layers,
+    shapes::puffs::{Atlas, PuffScene, Pyramid},
+};
+
+const STENCIL_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth24PlusStencil8;
+
+/// A channel for each light: 1 where its light is kept away.
+pub(crate) const SHADOW_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
+
+/// Vertices of a shadow volume: two polygons of two triangles.
+const VERTICES: u32 = 12;
+
+/// Long-lived pipelines.
+#[derive(Debug)]
+pub(crate) struct Shadows {
+    casters: wgpu::ComputePipeline,
+    flatten: wgpu::RenderPipeline,
+    volume: wgpu::RenderPipeline,
+    /// One for each channel.
+    shadowed: [wgpu::RenderPipeline; 4],
+}
+
+/// What one frame's shadows are found with.
+#[derive(Debug)]
+pub(crate) struct Stencil<'a> {
+    pub(crate) compact: &'a Compact,
+    pub(crate) flags: &'a wgpu::Buffer,
+    pub(crate) list: &'a DrawList,
+    pub(crate) pyramid: &'a Pyramid,
+    /// Pixels of the picture to one of the stencil's.
+    pub(crate) step: u32,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
+struct CastingUniform {
+    light: u32,
+    step: f32,
+    pad: [u32; 2],
+}
+
+impl Shadows {
+    pub(crate) fn new(gpu: &Gpu) -> Self {
+        let slots = [
+            Slot::Uniform,
+            Slot::Uniform,
+            Slot::Uniform,
+            Slot::Uniform,
+            Slot::Read,
+            Slot::Read,
+            Slot::Read,
+            Slot::Write,
+        ];
+        let [casters] = kernels(gpu, shader!("light/casters"), &slots, ["main"]);
+        let device = &gpu.device;
+        let module = |program| device.create_shader_module(program);
+        let flatten = RasterPipeline {
+            label: "light.flatten",
+            depth: Some(stencil_state(true, wgpu::CompareFunction::Always, wgpu::StencilState::default())),
+            ..Default::default()
+        };
+        let volume = RasterPipeline {
+            label: "light.volume",
+            depth: Some(stencil_state(false, wgpu::CompareFunction::Greater, counting())),
+            ..Default::default()
+        };
+        let shadowed = module(shader!("light/shadowed"));
+        Self {
+            casters,
+            flatten: flatten.build(device, &module(shader!("light/flatten"))),
+            volume: volume.build(device, &module(shader!("light/volume"))),
+            shadowed: [wgpu::ColorWrites::RED, wgpu::ColorWrites::GREEN, wgpu::ColorWrites::BLUE, wgpu::ColorWrites::ALPHA]
+                .map(|write_mask| {
+                    let marking = RasterPipeline {
+                        label: "light.shadowed",
+                        targets: &[SHADOW_FORMAT],
+                        write_mask,
+                        depth: Some(stencil_state(false, wgpu::CompareFunction::Always, not_zero())),
+                        ..Default::default()
+                    };
+                    marking.build(device, &shadowed)
+                }),
+        }
+    }
+
+    /// Which lights are kept away from what `layers` show.
+    pub(crate) fn record(
+        &self,
+        frame: &mut Frame<'_>,
+        view: &wgpu::Buffer,
+        lights: (&LightsUniform, &wgpu::Buffer),
+        scene: &PuffScene,
+        layers: &Layers,
+        stencil: &Stencil<'_>,
+    ) -> Transient {
+        let size = layers.size.map(|pixels| pixels.div_ceil(stencil.step));
+        let shadow = frame.texture("light.shadow", size, SHADOW_FORMAT);
+        let depth = frame.texture("light.stencil", size, STENCIL_FORMAT);
+        let step = frame.uniform("light.flatten.uniform", &[stencil.step, 0, 0, 0]);
+        frame.fullscreen(
+            "light.flatten",
+            &self.flatten,
+            Target::default().with_stencil(&depth, Some(0.0), Some(0)),
+            &[step.as_entire_binding(), wgpu::BindingResource::TextureView(&layers.depth)],
+        );
+        let mut clear = Some(wgpu::Color::TRANSPARENT);
+        for (light, channel) in lights.0.casting() {
+            self.find_casters(frame, view, (light, lights.1), scene, stencil);
+            self.count(frame, view, (light, lights.1), scene, stencil, &depth);
+            frame.fullscreen(
+                "light.shadowed",
+                &self.shadowed[channel],
+                Target::colour(&shadow, clear.take()).with_stencil(&depth, None, None),
+                &[],
+            );
+        }
+        shadow
+    }
+
+    fn find_casters(
+        &self,
+        frame: &mut Frame<'_>,
+        view: &wgpu::Buffer,
+        (light, lights): (u32, &wgpu::Buffer),
+        scene: &PuffScene,
+        stencil: &Stencil<'_>,
+    ) {
+        let uniform = frame.uniform("light.casters.uniform", &[scene.count, light, 0, 0]);
+        frame.compute(
+            "light.casters",
+            &self.casters,
+            &[
+                view.as_entire_binding(),
+                uniform.as_entire_binding(),
+                stencil.pyramid.uniform.as_entire_binding(),
+                lights.as_entire_binding(),
+                scene.puffs.as_entire_binding(),
+                scene.styles.as_entire_binding(),
+                stencil.pyramid.nearness.as_entire_binding(),
+                stencil.flags.as_entire_binding(),
+            ],
+            workgroups(scene.count),
+        );
+        stencil.compact.record(frame, stencil.flags, scene.count, 1, VERTICES, stencil.list);
+    }
+
+    fn count(
+        &self,
+        frame: &mut Frame<'_>,
+        view: &wgpu::Buffer,
+        (light, lights): (u32, &wgpu::Buffer),
+        scene: &PuffScene,
+        stencil: &Stencil<'_>,
+        depth: &wgpu::TextureView,
+    ) {
+        let casting = CastingUniform { light, step: stencil.step as f32, pad: [0; 2] };
+        let casting = frame.uniform("light.volume.uniform", &casting);
+        let Atlas { view: texture, sampler, uniform: atlas, .. } = &scene.atlas;
+        frame.raster(
+            "light.volume",
+            &self.volume,
+            Target::default().with_stencil(depth, None, Some(0)),
+            &[
+                view.as_entire_binding(),
+                atlas.as_entire_binding(),
+                casting.as_entire_binding(),
+                lights.as_entire_binding(),
+                scene.puffs.as_entire_binding(),
+                stencil.list.items.as_entire_binding(),
+                scene.styles.as_entire_binding(),
+                wgpu::BindingResource::TextureView(texture),
+                wgpu::BindingResource::Sampler(sampler),
+            ],
+            |pass| pass.draw_indirect(&stencil.list.draw, 0),
+        );
+    }
+}
+
+fn stencil_state(write: bool, compare: wgpu::CompareFunction, stencil: wgpu::StencilState) -> wgpu::DepthStencilState {
+    wgpu::DepthStencilState {
+        format: STENCIL_FORMAT,
+        depth_write_enabled: Some(write),
+        depth_compare: Some(compare),
+        stencil,
+        bias: wgpu::DepthBiasState::default(),
+    }
+}
+
+/// Adds where a back polygon lies behind what is seen, subtracts where a front polygon does.
+fn counting() -> wgpu::StencilState {
+    let face = |depth_fail_op| wgpu::StencilFaceState {
+        compare: wgpu::CompareFunction::Always,
+        fail_op: wgpu::StencilOperation::Keep,
+        depth_fail_op,
+        pass_op: wgpu::StencilOperation::Keep,
+    };
+    wgpu::StencilState {
+        front: face(wgpu::StencilOperation::DecrementClamp),
+        back: face(wgpu::StencilOperation::IncrementClamp),
+        read_mask: 0xff,
+        write_mask: 0xff,
+    }
+}
+
+/// Passes where something was counted.
+fn not_zero() -> wgpu::StencilState {
+    let face = wgpu::StencilFaceState { compare: wgpu::CompareFunction::NotEqual, ..Default::default() };
+    wgpu::StencilState { front: face, back: face, read_mask: 0xff, write_mask: 0 }
+}

@@ -1,0 +1,64 @@
+//! How each object is drawn, as shaders take it.
+
+use fumetto_scene::{Object, Width};
+
+/// `ObjectStyle` of `object.wgsl`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, bytemuck::Pod, bytemuck::Zeroable)]
+pub(crate) struct ObjectStyle {
+    ink_colour: [f32; 3],
+    ink_width_px: f32,
+    ink_width_m: f32,
+    ink_offset: f32,
+    ink_inner: f32,
+    ink_lit_thinning: f32,
+    ink_shortest_px: f32,
+    form: f32,
+    wrap: f32,
+    opacity: f32,
+    ramp_row: f32,
+    shadow_reach: f32,
+    shadow_start: f32,
+    shadow_size: f32,
+    flags: u32,
+    form_scale: f32,
+    pad: [f32; 2],
+}
+
+const HAS_INK: u32 = 1;
+const THROWS_SHADOW: u32 = 2;
+const IN_CEL: u32 = 4;
+
+impl ObjectStyle {
+    /// The style of `object`, the scene's `index`-th, in a picture `height_px` samples high.
+    pub(crate) fn new(object: &Object, index: u32, height_px: u32, in_cel: bool) -> Self {
+        let style = &object.style;
+        let scale = height_px as f32 / style.height_px;
+        let (ink_width_px, ink_width_m) = match style.ink.width {
+            Width::Px(px) => (px * scale, 0.0),
+            Width::World(metres) => (0.0, metres),
+        };
+        let flag = |on, bit| if on { bit } else { 0 };
+        Self {
+            ink_colour: style.ink.colour.to_srgb8().map(|channel| f32::from(channel) / 255.0),
+            ink_width_px,
+            ink_width_m,
+            ink_offset: style.ink.offset,
+            ink_inner: style.ink.inner,
+            ink_lit_thinning: style.ink.lit_thinning,
+            ink_shortest_px: style.ink.shortest * ink_width_px,
+            form: style.form,
+            wrap: style.wrap,
+            opacity: object.opacity,
+            ramp_row: index as f32,
+            shadow_reach: style.shadow.reach,
+            shadow_start: style.shadow.start,
+            shadow_size: style.shadow.size,
+            flags: flag(style.ink.on, HAS_INK)
+                | flag(style.shadow.on && object.visible, THROWS_SHADOW)
+                | flag(in_cel, IN_CEL),
+            form_scale: style.form_scale,
+            pad: [0.0; 2],
+        }
+    }
+}

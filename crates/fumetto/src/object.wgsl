@@ -1,0 +1,29 @@
+// How one object is drawn; an array of these, by the object's number, goes with every frame.
+struct ObjectStyle {
+    ink_colour: vec3f,
+    // Width of an outline: the larger of the two counts.
+    ink_width_px: f32,
+    ink_width_m: f32,
+    // Distance of the ink billboard behind its puff, in the puff's widths.
+    ink_offset: f32,
+    ink_inner: f32,
+    ink_lit_thinning: f32,
+    // Length of the shortest line that is kept, in pixels.
+    ink_shortest_px: f32,
+    form: f32,
+    wrap: f32,
+    opacity: f32,
+    // Which row of the ramp texture.
+    ramp_row: f32,
+    shadow_reach: f32,
+    shadow_start: f32,
+    shadow_size: f32,
+    // Bit 0: has ink. Bit 1: throws shadows. Bit 2: is drawn in this cel.
+    flags: u32,
+    form_scale: f32,
+    pad: vec2f,
+}
+
+const HAS_INK: u32 = 1u;
+const THROWS_SHADOW: u32 = 2u;
+const IN_CEL: u32 = 4u;

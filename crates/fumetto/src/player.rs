@@ -1,0 +1,265 @@
+//! Time: one scene, played to one moment.
+
+use std::collections::BTreeMap;
+
+use fumetto_formats::{is_sequence, sequence_path};
+use fumetto_scene::{Matter, Object, Particle, Puffs, Ramp, Scene};
+
+use crate::{
+    Assets, Error,
+    assets::{load_image, load_particles},
+    gpu::Gpu,
+    object::ObjectStyle,
+    particles::Emission,
+    shapes::puffs::{Atlas, Placement, PuffObject, PuffScene, still_puffs},
+    tone::{Backdrop, Ramps},
+};
+
+/// Bytes of the largest record that there is one of for each particle.
+const RECORD_BYTES: u64 = 48;
+
+/// A scene at one moment, with all that it takes to draw it.
+pub struct Player {
+    scene: Scene,
+    assets: Box<dyn Assets>,
+    pub(crate) objects: Vec<PlayedObject>,
+    pub(crate) puffs: PuffScene,
+    pub(crate) ramps: Ramps,
+    pub(crate) backdrop: Backdrop,
+    /// Steps of the simulation done so far.
+    pub(crate) steps: u64,
+    /// The frame that is shown.
+    pub(crate) shown: Option<u32>,
+    notes: Vec<String>,
+}
+
+/// One object as it is played.
+pub(crate) struct PlayedObject {
+    pub(crate) matter: PlayedMatter,
+    pub(crate) placement: Placement,
+    /// Room for this many puffs.
+    capacity: u32,
+}
+
+pub(crate) enum PlayedMatter {
+    Still(Vec<Particle>),
+    /// A numbered sequence of particle files, and the particles of the frame that is shown.
+    Sequence(String, Vec<Particle>),
+    Smoke(Vec<Emission>),
+}
+
+impl PlayedMatter {
+    fn count(&self) -> u64 {
+        match self {
+            Self::Still(particles) | Self::Sequence(_, particles) => particles.len() as u64,
+            Self::Smoke(emissions) => emissions.iter().map(|emission| u64::from(emission.capacity())).sum(),
+        }
+    }
+}
+
+impl Player {
+    pub(crate) fn new(gpu: &Gpu, scene: Scene, assets: Box<dyn Assets>) -> Result<Self, Error> {
+        check_room(gpu, &scene)?;
+        let mut notes = Vec::new();
+        let first_frame = scene.time.frames[0];
+        let (variants, atlas) = atlas(gpu, &scene)?;
+        let mut objects = Vec::with_capacity(scene.objects.len());
+        for (index, object) in (0..).zip(&scene.objects) {
+            let matter = play_matter(gpu, &scene, object, index, &*assets, first_frame, &mut notes)?;
+            let capacity = matter.count() as u32;
+            let placement = Placement {
+                first: 0,
+                object: index,
+                first_variant: variants[index as usize],
+                variants: object.puffs.variants,
+                size: object.puffs.size,
+                seed: seed_of(&scene, index),
+            };
+            objects.push(PlayedObject { matter, placement, capacity });
+        }
+        let puffs = place(gpu, &scene, &mut objects, atlas)?;
+        let ramps = load_ramps(gpu, &scene, &*assets)?;
+        let backdrop = load_backdrop(gpu, &scene, &*assets)?;
+        Ok(Self { scene, assets, objects, puffs, ramps, backdrop, steps: 0, shown: None, notes })
+    }
+
+    /// The scene that is played.
+    #[must_use]
+    pub fn scene(&self) -> &Scene {
+        &self.scene
+    }
+
+    /// Things to tell the user about the files that were read.
+    #[must_use]
+    pub fn notes(&self) -> &[String] {
+        &self.notes
+    }
+
+    /// Room for this many puffs in all.
+    #[must_use]
+    pub fn capacity(&self) -> u32 {
+        self.puffs.count
+    }
+
+    /// All emitters' particles.
+    pub(crate) fn emissions(&self) -> impl Iterator<Item = &Emission> {
+        self.objects.iter().flat_map(|object| match &object.matter {
+            PlayedMatter::Smoke(emissions) => emissions.as_slice(),
+            PlayedMatter::Still(_) | PlayedMatter::Sequence(..) => &[],
+        })
+    }
+
+    /// The frame whose state is drawn when `frame` is asked for: every second one on twos.
+    pub(crate) fn held(&self, frame: u32) -> u32 {
+        frame - frame % self.scene.time.hold
+    }
+
+    /// Reads the files that sequences have for `frame`, and makes room for their particles.
+    pub(crate) fn read_sequences(&mut self, gpu: &Gpu, frame: u32) -> Result<(), Error> {
+        let mut grown = false;
+        for object in &mut self.objects {
+            if let PlayedMatter::Sequence(pattern, particles) = &mut object.matter {
+                *particles = load_particles(&*self.assets, &sequence_path(pattern, frame))?.particles;
+                grown |= particles.len() as u32 > object.capacity;
+                object.capacity = object.capacity.max(particles.len() as u32);
+            }
+        }
+        if grown {
+            let (_, atlas) = atlas(gpu, &self.scene)?;
+            self.puffs = place(gpu, &self.scene, &mut self.objects, atlas)?;
+            self.upload_still(gpu);
+        }
+        self.upload_sequences(gpu);
+        Ok(())
+    }
+
+    /// Writes the puffs of what does not move.
+    pub(crate) fn upload_still(&self, gpu: &Gpu) {
+        for object in &self.objects {
+            if let PlayedMatter::Still(particles) = &object.matter {
+                self.upload(gpu, object, particles);
+            }
+        }
+    }
+
+    fn upload_sequences(&self, gpu: &Gpu) {
+        for object in &self.objects {
+            if let PlayedMatter::Sequence(_, particles) = &object.matter {
+                self.upload(gpu, object, particles);
+            }
+        }
+    }
+
+    fn upload(&self, gpu: &Gpu, object: &PlayedObject, particles: &[Particle]) {
+        let mut puffs = still_puffs(particles, object.placement);
+        // What an earlier, longer frame left behind must not stay.
+        puffs.resize(object.capacity as usize, bytemuck::Zeroable::zeroed());
+        let offset = u64::from(object.placement.first) * size_of_val(&puffs[0]) as u64;
+        gpu.queue.write_buffer(&self.puffs.puffs, offset, bytemuck::cast_slice(&puffs));
+    }
+}
+
+/// Refuses a scene whose particles would not fit, before anything is allocated.
+fn check_room(gpu: &Gpu, scene: &Scene) -> Result<(), Error> {
+    let asked = scene.requirements().iter().filter_map(|cost| cost.particles).sum();
+    let allowed = gpu.device.limits().max_storage_buffer_binding_size / RECORD_BYTES;
+    if asked > allowed { Err(Error::TooMany { asked, allowed }) } else { Ok(()) }
+}
+
+/// The atlas of all objects' puffs, and where in it each object's variants begin.
+fn atlas(gpu: &Gpu, scene: &Scene) -> Result<(Vec<u32>, Atlas), Error> {
+    let mut kinds: Vec<Puffs> = Vec::new();
+    let mut firsts = Vec::with_capacity(scene.objects.len());
+    for object in &scene.objects {
+        let puffs = Puffs { size: 1.0, ..object.puffs };
+        let known = kinds.iter().position(|kind| *kind == puffs).unwrap_or_else(|| {
+            kinds.push(puffs);
+            kinds.len() - 1
+        });
+        firsts.push(kinds[..known].iter().map(|kind| kind.variants).sum());
+    }
+    Ok((firsts, Atlas::new(gpu, &kinds)?))
+}
+
+fn seed_of(scene: &Scene, index: u32) -> u32 {
+    scene.seed.wrapping_mul(0x85eb_ca6b).wrapping_add(index.wrapping_mul(0xc2b2_ae35))
+}
+
+fn play_matter(
+    gpu: &Gpu,
+    scene: &Scene,
+    object: &Object,
+    index: u32,
+    assets: &dyn Assets,
+    first_frame: u32,
+    notes: &mut Vec<String>,
+) -> Result<PlayedMatter, Error> {
+    Ok(match &object.matter {
+        Matter::Still(particles) => PlayedMatter::Still(particles.clone()),
+        Matter::File(path) => {
+            let table = load_particles(assets, &sequence_path(path, first_frame))?;
+            notes.extend(table.notes);
+            if is_sequence(path) {
+                PlayedMatter::Sequence(path.clone(), table.particles)
+            } else {
+                PlayedMatter::Still(table.particles)
+            }
+        }
+        Matter::Smoke(smoke) => {
+            let step_secs = scene.time.step_secs();
+            let seed = seed_of(scene, index);
+            let emissions = (0..).zip(&smoke.emitters).map(|(number, emitter): (u32, _)| {
+                let seed = seed.wrapping_add(number.wrapping_mul(0x27d4_eb2f));
+                Emission::new(gpu, emitter, &smoke.forces, seed, step_secs)
+            });
+            PlayedMatter::Smoke(emissions.collect())
+        }
+    })
+}
+
+/// Gives every object its place in the list of puffs.
+fn place(gpu: &Gpu, scene: &Scene, objects: &mut [PlayedObject], atlas: Atlas) -> Result<PuffScene, Error> {
+    let asked = objects.iter().map(|object| u64::from(object.capacity)).sum();
+    let allowed = gpu.device.limits().max_storage_buffer_binding_size / RECORD_BYTES;
+    if asked > allowed {
+        return Err(Error::TooMany { asked, allowed });
+    }
+    let mut first = 0;
+    let mut ranges = Vec::with_capacity(objects.len());
+    for (played, object) in objects.iter_mut().zip(&scene.objects) {
+        played.placement.first = first;
+        let range = first..first + played.capacity;
+        first = range.end;
+        ranges.push(PuffObject { range, wants_form: object.visible && object.style.form > 0.0 });
+    }
+    Ok(PuffScene::new(gpu, atlas, ranges, size_of::<ObjectStyle>() as u64))
+}
+
+fn load_ramps(gpu: &Gpu, scene: &Scene, assets: &dyn Assets) -> Result<Ramps, Error> {
+    // Objects often share a ramp image; each file is read once.
+    let mut images = BTreeMap::new();
+    for object in &scene.objects {
+        if let Ramp::Image(path) = &object.style.ramp
+            && !images.contains_key(path)
+        {
+            images.insert(path.clone(), load_image(assets, path)?);
+        }
+    }
+    let ramps: Vec<_> = scene
+        .objects
+        .iter()
+        .map(|object| match &object.style.ramp {
+            Ramp::Image(path) => (&object.style.ramp, images.get(path).cloned()),
+            Ramp::Tones(_) => (&object.style.ramp, None),
+        })
+        .collect();
+    Ok(Ramps::new(gpu, &ramps))
+}
+
+fn load_backdrop(gpu: &Gpu, scene: &Scene, assets: &dyn Assets) -> Result<Backdrop, Error> {
+    let image = match &scene.background {
+        fumetto_scene::Background::Image(path) => Some(load_image(assets, path)?),
+        _ => None,
+    };
+    Ok(Backdrop::new(gpu, &scene.background, image.as_ref()))
+}

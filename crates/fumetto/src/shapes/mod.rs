@@ -1,0 +1,3 @@
+//! What fills the layers.
+
+pub(crate) mod puffs;

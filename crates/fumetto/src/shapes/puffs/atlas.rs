@@ -1,0 +1,147 @@
+//! The puff atlas: bundles of balls, rendered once to normal, height and margin.
+
+use fumetto_scene::Puffs;
+use thiserror::Error;
+
+use super::bundle::{Bundles, HOLES};
+use crate::gpu::{Frame, Gpu, RasterPipeline, Target, TexturePool, shader};
+
+/// Half the width of a tile over the puff's radius: room for ink around it. Also in `billboard.wgsl`.
+const TILE_EXTENT: f32 = 1.25;
+
+/// Half floats, which every adapter filters.
+const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
+
+/// All variants of a puff in one texture, side by side.
+///
+/// Channels: normal x and y in the tile's frame (y up), height over the puff's middle in its radii,
+/// and margin: how much erosion a place outlives (0 to 1), or its distance from the puff, negative.
+#[derive(Debug)]
+pub(crate) struct Atlas {
+    pub(crate) texture: wgpu::Texture,
+    pub(crate) view: wgpu::TextureView,
+    pub(crate) sampler: wgpu::Sampler,
+    pub(crate) uniform: wgpu::Buffer,
+}
+
+/// The puffs' pictures do not fit into one texture.
+#[derive(Clone, Copy, Debug, Error)]
+#[error(
+    "the scene's puffs need {variants} tiles of {tile_px} pixels side by side; this device allows {allowed} \
+     pixels. Lower `shape.puffs.variants` or `tile`, or give objects the same puffs"
+)]
+pub struct AtlasError {
+    variants: u32,
+    tile_px: u32,
+    allowed: u32,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
+struct BundlesUniform {
+    tile_px: f32,
+    extent: f32,
+    balls: u32,
+    holes: u32,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
+struct AtlasUniform {
+    variants: f32,
+    tile_px: f32,
+    levels: f32,
+    pad: f32,
+}
+
+impl Atlas {
+    /// Renders the variants of all `kinds`, one kind after another, in tiles of the largest size that any
+    /// of them wants. The balls are not needed afterwards.
+    pub(crate) fn new(gpu: &Gpu, kinds: &[Puffs]) -> Result<Self, AtlasError> {
+        let variants = kinds.iter().map(|kind| kind.variants).sum::<u32>().max(1);
+        let tile_px = kinds.iter().map(|kind| kind.tile_px).max().unwrap_or(16);
+        let size = [variants * tile_px, tile_px];
+        let allowed = gpu.device.limits().max_texture_dimension_2d;
+        if size[0] > allowed {
+            return Err(AtlasError { variants, tile_px, allowed });
+        }
+        // The coarsest tile is 4 pixels wide: smaller puffs are dots anyway.
+        let levels = tile_px.ilog2() - 1;
+        let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
+            label: Some("shapes.puffs.atlas"),
+            size: wgpu::Extent3d { width: size[0], height: size[1], depth_or_array_layers: 1 },
+            mip_level_count: levels,
+            sample_count: 1,
+            dimension: wgpu::TextureDimension::D2,
+            format: FORMAT,
+            usage: wgpu::TextureUsages::RENDER_ATTACHMENT
+                | wgpu::TextureUsages::TEXTURE_BINDING
+                | wgpu::TextureUsages::COPY_SRC,
+            view_formats: &[],
+        });
+        let pool = TexturePool::default();
+        let mut frame = Frame::new(gpu, &pool, "shapes.puffs.atlas");
+        render(&mut frame, kinds, tile_px as f32, &level(&texture, 0));
+        halve(&mut frame, &texture, levels);
+        let uniform = AtlasUniform {
+            variants: variants as f32,
+            tile_px: tile_px as f32,
+            levels: levels as f32,
+            pad: 0.0,
+        };
+        let uniform = frame.uniform("shapes.puffs.atlas.uniform", &uniform);
+        frame.submit();
+        let sampler = gpu.device.create_sampler(&wgpu::SamplerDescriptor {
+            label: Some("shapes.puffs.atlas.sampler"),
+            mag_filter: wgpu::FilterMode::Linear,
+            min_filter: wgpu::FilterMode::Linear,
+            ..Default::default()
+        });
+        let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
+        Ok(Self { view, texture, sampler, uniform })
+    }
+}
+
+fn level(texture: &wgpu::Texture, level: u32) -> wgpu::TextureView {
+    texture.create_view(&wgpu::TextureViewDescriptor {
+        label: Some("shapes.puffs.atlas.level"),
+        base_mip_level: level,
+        mip_level_count: Some(1),
+        ..Default::default()
+    })
+}
+
+fn render(frame: &mut Frame<'_>, kinds: &[Puffs], tile_px: f32, target: &wgpu::TextureView) {
+    let bundles = Bundles::new(kinds);
+    let uniform = BundlesUniform { tile_px, extent: TILE_EXTENT, balls: bundles.balls_each, holes: HOLES };
+    let device = &frame.gpu.device;
+    let module = device.create_shader_module(shader!("shapes/puffs/atlas"));
+    let pipeline = RasterPipeline { label: "shapes.puffs.atlas", targets: &[FORMAT], ..Default::default() }
+        .build(device, &module);
+    let uniform = frame.uniform("shapes.puffs.atlas.bundles", &uniform);
+    let balls = frame.storage("shapes.puffs.atlas.balls", &bundles.balls);
+    let holes = frame.storage("shapes.puffs.atlas.holes", &bundles.holes);
+    frame.fullscreen(
+        "shapes.puffs.atlas",
+        &pipeline,
+        Target::colour(target, Some(wgpu::Color::TRANSPARENT)),
+        &[uniform.as_entire_binding(), balls.as_entire_binding(), holes.as_entire_binding()],
+    );
+}
+
+fn halve(frame: &mut Frame<'_>, texture: &wgpu::Texture, levels: u32) {
+    let device = &frame.gpu.device;
+    let module = device.create_shader_module(shader!("shapes/puffs/mip"));
+    let pipeline = RasterPipeline { label: "shapes.puffs.mip", targets: &[FORMAT], ..Default::default() }
+        .build(device, &module);
+    for coarser in 1..levels {
+        let finer = level(texture, coarser - 1);
+        let target = level(texture, coarser);
+        frame.fullscreen(
+            "shapes.puffs.mip",
+            &pipeline,
+            Target::colour(&target, Some(wgpu::Color::TRANSPARENT)),
+            &[wgpu::BindingResource::TextureView(&finer)],
+        );
+    }
+}

@@ -1,0 +1,50 @@
+// The body: nailboards, billboards whose pixels carry depth (Schaufler 1997; McGuire & Fein 2004,
+// section 1.4). Fills the depth and id layers only: what the nearest puff looks like is worked out
+// once per pixel afterwards, however many puffs lie behind.
+
+@group(0) @binding(1) var<uniform> atlas: Atlas;
+@group(0) @binding(2) var<storage, read> puffs: array<Puff>;
+@group(0) @binding(3) var<storage, read> list: array<u32>;
+@group(0) @binding(4) var atlas_texture: texture_2d<f32>;
+@group(0) @binding(5) var atlas_sampler: sampler;
+
+struct Corner {
+    @builtin(position) position: vec4f,
+    // In the puff's own frame.
+    @location(0) p: vec2f,
+    // Distance of the middle, radius in metres, erosion, level of the atlas.
+    @location(1) @interpolate(flat) puff: vec4f,
+    // Puff's number + 1, variant.
+    @location(2) @interpolate(flat) id: vec2u,
+}
+
+@vertex
+fn vertex(@builtin(vertex_index) index: u32) -> Corner {
+    let id = list[index / 3u];
+    let puff = puffs[id];
+    let sprite = sprite_of(puff);
+    let offset = TRIANGLE[index % 3u] * sprite.radius_px;
+    let level = atlas_level(sprite.radius_px, atlas);
+    return Corner(
+        // At its nearest depth, so that pixels are only ever pushed back.
+        clip_of(sprite.px + offset, depth_of(sprite.distance - puff.radius)),
+        puff_from_px(offset, sprite.radius_px, puff_rotation(puff)),
+        vec4f(sprite.distance, puff.radius, puff_fade(puff).x, level),
+        vec2u(id + 1u, puff_variant(puff)),
+    );
+}
+
+struct Body {
+    @builtin(frag_depth) depth: f32,
+    @location(0) id: u32,
+}
+
+@fragment
+fn fragment(corner: Corner) -> Body {
+    let uv = atlas_uv(corner.p, f32(corner.id.y), corner.puff.w, atlas);
+    let texel = textureSampleLevel(atlas_texture, atlas_sampler, uv, corner.puff.w);
+    if texel.w <= corner.puff.z {
+        discard;
+    }
+    return Body(depth_of(corner.puff.x - texel.z * corner.puff.y), corner.id.x);
+}

@@ -1,0 +1,23 @@
+//! McGuire's puffs: every particle is a billboard of a pre-rendered bundle of balls that carries
+//! normals and depth.
+//!
+//! McGuire & Fein, "Real-Time Cartoon Rendering of Smoke", 2004. Ours, beyond the poster: puffs that
+//! something solid hides are not drawn at all, what a pixel looks like is worked out once however many
+//! puffs lie behind it, and normals may bend toward the form of the whole cloud.
+
+mod atlas;
+mod body;
+mod bundle;
+mod form;
+mod normal;
+mod occlusion;
+mod present;
+mod scene;
+
+pub(crate) use atlas::{Atlas, AtlasError};
+pub(crate) use body::{Body, VERTICES};
+pub(crate) use form::Form;
+pub(crate) use normal::Normal;
+pub(crate) use occlusion::{BODY, INK, Occlusion, Pyramid};
+pub(crate) use present::{Placement, Present, still_puffs};
+pub(crate) use scene::{PuffObject, PuffScene};

@@ -1,0 +1,58 @@
+// Fills the normal layer from the id layer: the puff's own normal, bent toward the form of the cloud.
+// Also keeps the distance, as a logarithm so that half floats hold it to a thousandth, for passes that
+// must not mix what lies far apart.
+
+struct Sampling {
+    // Pixels of the picture to one texel of this layer.
+    step: u32,
+    form_side: f32,
+    form_objects: f32,
+}
+
+@group(0) @binding(1) var<uniform> atlas: Atlas;
+@group(0) @binding(2) var<uniform> sampling: Sampling;
+@group(0) @binding(3) var<storage, read> puffs: array<Puff>;
+@group(0) @binding(4) var<storage, read> styles: array<ObjectStyle>;
+@group(0) @binding(5) var<storage, read> grids: array<FormGrid>;
+@group(0) @binding(6) var atlas_texture: texture_2d<f32>;
+@group(0) @binding(7) var linear: sampler;
+@group(0) @binding(8) var form_field: texture_3d<f32>;
+@group(0) @binding(9) var id_layer: texture_2d<u32>;
+@group(0) @binding(10) var depth_layer: texture_depth_2d;
+
+// The outward direction of the object's form at a place, of length up to 1; short where unsure.
+fn form_at(place: vec3f, object: u32) -> vec3f {
+    let grid = grids[object];
+    let at = clamp((place - grid.origin) / grid.cell, vec3f(0.5), vec3f(grid.cells) - 0.5);
+    let uvw = (at + vec3f(0.0, 0.0, f32(object) * sampling.form_side))
+        / (sampling.form_side * vec3f(1.0, 1.0, sampling.form_objects));
+    let outward = textureSampleLevel(form_field, linear, uvw, 0.0).xyz;
+    let steep = length(outward);
+    return outward * (min(steep * 8.0, 1.0) / max(steep, 1e-6));
+}
+
+@fragment
+fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
+    let at = vec2i(position.xy) * i32(sampling.step);
+    let id = textureLoad(id_layer, at, 0).x;
+    if id == 0u {
+        return vec4f(0.0);
+    }
+    let puff = puffs[id - 1u];
+    let sprite = sprite_of(puff);
+    let rotation = puff_rotation(puff);
+    let px = vec2f(at) + 0.5;
+    let p = puff_from_px(px - sprite.px, sprite.radius_px, rotation);
+    let level = atlas_level(sprite.radius_px, atlas);
+    let uv = atlas_uv(p, f32(puff_variant(puff)), level, atlas);
+    let texel = textureSampleLevel(atlas_texture, linear, uv, level);
+    let flat_normal = screen_from_puff(texel.xy, rotation);
+    let own = vec3f(flat_normal, sqrt(max(1.0 - dot(flat_normal, flat_normal), 0.0)));
+    let own_world = (view.world_from_view * vec4f(own, 0.0)).xyz;
+    let distance = distance_of(textureLoad(depth_layer, at, 0));
+    let place = (view.world_from_view * vec4f(ray_of(px) * distance, 1.0)).xyz;
+    let object = puff_object(puff);
+    let form = styles[object].form;
+    let bent = mix(own_world, form_at(place, object), form);
+    return vec4f(bent / max(length(bent), 1e-4), log2(distance));
+}

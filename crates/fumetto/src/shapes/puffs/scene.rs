@@ -1,0 +1,47 @@
+use std::ops::Range;
+
+use super::{atlas::Atlas, form::FormField, present::Puff};
+use crate::gpu::Gpu;
+
+/// All puffs of a scene, and what they are drawn with.
+#[derive(Debug)]
+pub(crate) struct PuffScene {
+    /// `Puff`s of `puff.wgsl`, object after object; those of radius zero are not there.
+    pub(crate) puffs: wgpu::Buffer,
+    pub(crate) count: u32,
+    /// `ObjectStyle`s of `object.wgsl`, by the object's number.
+    pub(crate) styles: wgpu::Buffer,
+    pub(crate) atlas: Atlas,
+    pub(crate) form: FormField,
+    pub(crate) objects: Vec<PuffObject>,
+}
+
+/// One object's share of the puffs.
+#[derive(Clone, Debug)]
+pub(crate) struct PuffObject {
+    pub(crate) range: Range<u32>,
+    /// Whether its normals bend toward its form.
+    pub(crate) wants_form: bool,
+}
+
+impl PuffScene {
+    pub(crate) fn new(gpu: &Gpu, atlas: Atlas, objects: Vec<PuffObject>, style_bytes: u64) -> Self {
+        let count = objects.last().map_or(0, |object| object.range.end);
+        let buffer = |label, size: u64| {
+            gpu.device.create_buffer(&wgpu::BufferDescriptor {
+                label: Some(label),
+                size: size.max(16),
+                usage: wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::COPY_SRC,
+                mapped_at_creation: false,
+            })
+        };
+        Self {
+            puffs: buffer("shapes.puffs", u64::from(count) * size_of::<Puff>() as u64),
+            count,
+            styles: buffer("shapes.puffs.styles", style_bytes * objects.len() as u64),
+            atlas,
+            form: FormField::new(gpu, objects.len().max(1) as u32),
+            objects,
+        }
+    }
+}

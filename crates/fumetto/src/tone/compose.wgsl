@@ -1,0 +1,77 @@
+// Lays a cel with its ink over what is there, and averages the samples of each pixel in linear light.
+
+struct Compose {
+    // Samples along each side of a pixel.
+    samples: i32,
+    // 0 nothing, 1 vertical gradient, 2 image scaled to cover, 3 the picture so far.
+    under: u32,
+    // Pixels along a cell of the layer that tells how much ink is around.
+    cell: f32,
+    // Area of the gathering window, in pixels.
+    window: f32,
+    top: vec4f,
+    bottom: vec4f,
+}
+
+@group(0) @binding(0) var<uniform> compose: Compose;
+@group(0) @binding(1) var<storage, read> styles: array<ObjectStyle>;
+@group(0) @binding(2) var cel: texture_2d<f32>;
+@group(0) @binding(3) var ink: texture_2d<u32>;
+@group(0) @binding(4) var around: texture_2d<f32>;
+@group(0) @binding(5) var under: texture_2d<f32>;
+@group(0) @binding(6) var linear: sampler;
+
+// sRGB's transfer functions (IEC 61966-2-1).
+fn decoded(srgb: vec3f) -> vec3f {
+    return select(pow((srgb + 0.055) / 1.055, vec3f(2.4)), srgb / 12.92, srgb <= vec3f(0.04045));
+}
+
+fn encoded(light: vec3f) -> vec3f {
+    return select(1.055 * pow(light, vec3f(1.0 / 2.4)) - 0.055, light * 12.92, light <= vec3f(0.0031308));
+}
+
+// What lies under the cel; linear, premultiplied.
+fn under_at(position: vec2f, size: vec2f) -> vec4f {
+    switch compose.under {
+        case 1u: { return vec4f(mix(compose.top.rgb, compose.bottom.rgb, position.y / size.y), 1.0); }
+        case 2u, 3u: {
+            let image = vec2f(textureDimensions(under));
+            let scale = max(size.x / image.x, size.y / image.y);
+            let uv = 0.5 + (position / size - 0.5) * size / (image * scale);
+            let colour = textureSampleLevel(under, linear, uv, 0.0);
+            return vec4f(decoded(colour.rgb) * colour.a, colour.a);
+        }
+        default: { return vec4f(0.0); }
+    }
+}
+
+// The cel with its ink at one sample; straight alpha, encoded.
+fn drawn_at(at: vec2i) -> vec4f {
+    let mark = textureLoad(ink, at, 0).x;
+    if mark != 0u {
+        let style = styles[mark - 1u];
+        let cells = vec2f(at) / (compose.cell * vec2f(textureDimensions(around)));
+        let inked_px = textureSampleLevel(around, linear, cells, 0.0).x * compose.window;
+        if inked_px >= style.ink_shortest_px * style.ink_width_px {
+            return vec4f(style.ink_colour, style.opacity);
+        }
+    }
+    return textureLoad(cel, at, 0);
+}
+
+@fragment
+fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
+    let size = vec2f(textureDimensions(cel)) / f32(compose.samples);
+    let first = vec2i(position.xy) * compose.samples;
+    var sum = vec4f(0.0);
+    for (var y = 0; y < compose.samples; y++) {
+        for (var x = 0; x < compose.samples; x++) {
+            let drawn = drawn_at(first + vec2i(x, y));
+            sum += vec4f(decoded(drawn.rgb) * drawn.a, drawn.a);
+        }
+    }
+    sum /= f32(compose.samples * compose.samples);
+    let below = under_at(position.xy, size);
+    let over = sum + below * (1.0 - sum.a);
+    return vec4f(encoded(over.rgb / max(over.a, 1e-6)), over.a);
+}

@@ -1,0 +1,64 @@
+//! Light to flat colour.
+
+use super::Ramps;
+use crate::{
+    gpu::{Frame, Gpu, RasterPipeline, Target, Transient, shader},
+    layers::{self, Layers},
+    shapes::puffs::PuffScene,
+};
+
+/// A cel: sRGB as it will be in the picture, straight alpha.
+pub(crate) const CEL_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
+
+/// The long-lived pipeline.
+#[derive(Debug)]
+pub(crate) struct Flat {
+    pipeline: wgpu::RenderPipeline,
+}
+
+impl Flat {
+    pub(crate) fn new(gpu: &Gpu) -> Self {
+        let module = gpu.device.create_shader_module(shader!("tone/flat"));
+        let pipeline = RasterPipeline {
+            label: "tone.flat",
+            targets: &[CEL_FORMAT],
+            depth: Some(layers::where_filled()),
+            ..Default::default()
+        };
+        Self { pipeline: pipeline.build(&gpu.device, &module) }
+    }
+
+    /// Paints what the layers show; `step` pixels make a texel of the normal and shadow layers.
+    pub(crate) fn record(
+        &self,
+        frame: &mut Frame<'_>,
+        view: &wgpu::Buffer,
+        lights: &wgpu::Buffer,
+        scene: &PuffScene,
+        layers: &Layers,
+        (normal, shadow): (&Transient, &Transient),
+        step: u32,
+        ramps: &Ramps,
+    ) -> Transient {
+        let cel = frame.texture("tone.cel", layers.size, CEL_FORMAT);
+        let sampling = frame.uniform("tone.flat.sampling", &[step, 0, 0, 0]);
+        frame.fullscreen(
+            "tone.flat",
+            &self.pipeline,
+            Target::colour(&cel, Some(wgpu::Color::TRANSPARENT)).with_depth_test(&layers.depth),
+            &[
+                view.as_entire_binding(),
+                sampling.as_entire_binding(),
+                lights.as_entire_binding(),
+                scene.puffs.as_entire_binding(),
+                scene.styles.as_entire_binding(),
+                wgpu::BindingResource::TextureView(&layers.id),
+                wgpu::BindingResource::TextureView(&layers.depth),
+                wgpu::BindingResource::TextureView(normal),
+                wgpu::BindingResource::TextureView(shadow),
+                wgpu::BindingResource::TextureView(&ramps.view),
+            ],
+        );
+        cel
+    }
+}
