@@ -1,0 +1,65 @@
+use std::str::FromStr;
+
+/// Frames from the first to the last, both included.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub(crate) struct FrameRange {
+    pub(crate) first: u32,
+    pub(crate) last: u32,
+}
+
+impl FrameRange {
+    /// One frame.
+    pub(crate) fn one(frame: u32) -> Self {
+        Self { first: frame, last: frame }
+    }
+
+    pub(crate) fn iter(self) -> impl Iterator<Item = u32> {
+        self.first..=self.last
+    }
+
+    /// How many frames; at least one.
+    pub(crate) fn len(self) -> u64 {
+        u64::from(self.last - self.first) + 1
+    }
+}
+
+impl FromStr for FrameRange {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let wanted = "write the first and the last frame as in 0..119";
+        let (first, last) = text.split_once("..").ok_or(wanted)?;
+        let frame =
+            |number: &str| number.parse::<u32>().map_err(|_| format!("{number:?} is no frame; {wanted}"));
+        let (first, last) = (frame(first)?, frame(last)?);
+        if first > last {
+            return Err(format!("frame {first} comes after {last}; {wanted}"));
+        }
+        Ok(Self { first, last })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn both_ends_belong_to_a_range() {
+        let range: Result<FrameRange, _> = "3..5".parse();
+        assert_eq!(range, Ok(FrameRange { first: 3, last: 5 }));
+        assert_eq!(range.map(|range| range.iter().collect::<Vec<_>>()), Ok(vec![3, 4, 5]));
+        assert_eq!(range.map(FrameRange::len), Ok(3));
+    }
+
+    #[test]
+    fn the_longest_range_can_be_counted() {
+        assert_eq!(FrameRange { first: 0, last: u32::MAX }.len(), 1 << 32);
+    }
+
+    #[test]
+    fn what_is_no_range_is_refused() {
+        for text in ["", "5", "..", "1..", "..2", "5..4", "-1..2", "0..4294967296", "0...3", "a..b"] {
+            assert!(text.parse::<FrameRange>().is_err(), "{text}");
+        }
+    }
+}

@@ -1,0 +1,147 @@
+//! What may stand on the command line.
+
+mod frames;
+mod setting;
+mod size;
+mod target;
+
+use std::path::PathBuf;
+
+use crate::pending::Layer;
+use clap::{Args, Parser, Subcommand, ValueEnum};
+
+pub(crate) use self::{
+    frames::FrameRange,
+    setting::Setting,
+    size::Size,
+    target::{Target, TargetKind},
+};
+
+/// Draws smoke, clouds and fog as a cartoonist would.
+///
+/// Exit codes: 0 done, 1 failed, 2 wrong usage, 130 stopped by Ctrl-C.
+#[derive(Debug, Parser)]
+#[command(name = "fumetto", version)]
+pub(crate) struct Cli {
+    #[command(subcommand)]
+    pub(crate) command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    /// Draw a scene to a picture, a sequence of pictures or an animation.
+    Render(RenderArgs),
+    /// Write what a scene's drawings are made of.
+    Export(ExportArgs),
+    /// Tell every problem of a scene, with line and column.
+    Check(CheckArgs),
+    /// Tell what is in a scene, and what it will cost.
+    Info(InfoArgs),
+    /// Write a commented scene to start from.
+    New(NewArgs),
+    /// Print the JSON Schema of scene files, with which text editors complete and check them.
+    Schema,
+    /// Tell which graphics adapters there are, and what to install when there is none.
+    Doctor,
+}
+
+/// A scene and what is changed in it.
+#[derive(Args, Debug)]
+pub(crate) struct SceneArgs {
+    /// The scene file. Files that it names are looked for beside it.
+    pub(crate) scene: PathBuf,
+    /// A preset or a style file, in place of the scene's [style].
+    #[arg(long, value_name = "NAME|FILE")]
+    pub(crate) style: Option<String>,
+    /// Change a key of the scene, as in `--set camera.eye[0]=2` or `--set object.smoke.opacity=0.5`;
+    /// may be given several times.
+    #[arg(long, value_name = "PATH=VALUE")]
+    pub(crate) set: Vec<Setting>,
+}
+
+#[derive(Args, Debug)]
+pub(crate) struct RenderArgs {
+    #[command(flatten)]
+    pub(crate) scene: SceneArgs,
+    /// Where to write. `smoke.png` is one picture; `smoke.####.png` (or `smoke.{}.png`) a picture for
+    /// each frame; `smoke.gif` an animation, transparent if the scene's background is.
+    #[arg(short, long = "output", value_name = "OUT")]
+    pub(crate) out: Target,
+    /// Draw this frame only. Without it a single .png shows the scene's last frame, because smoke takes
+    /// time to rise; sequences and animations show all frames.
+    #[arg(long, value_name = "N", conflicts_with = "frames")]
+    pub(crate) frame: Option<u32>,
+    /// Draw these frames, the first and the last included.
+    #[arg(long, value_name = "A..B")]
+    pub(crate) frames: Option<FrameRange>,
+    /// Width and height in pixels, in place of the scene's.
+    #[arg(long, value_name = "WxH")]
+    pub(crate) size: Option<Size>,
+    /// The camera to look through, where the scene has several. Default: the first.
+    #[arg(long, value_name = "NAME")]
+    pub(crate) camera: Option<String>,
+    /// Samples along each side of a pixel, 1 (hard edges) to 4, in place of the scene's.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=4))]
+    pub(crate) antialias: Option<u32>,
+    /// Write these layers beside each .png, as in `smoke.0001.normal.png`: normal, depth, id, alpha, ink.
+    #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = layer)]
+    pub(crate) layers: Vec<Layer>,
+    /// Skip the frames of a sequence whose files are there already.
+    #[arg(long)]
+    pub(crate) resume: bool,
+    /// Print a JSON object for each frame, and one at the end.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+#[derive(Args, Debug)]
+pub(crate) struct ExportArgs {
+    #[command(flatten)]
+    pub(crate) scene: SceneArgs,
+    /// Where to write. `puffs.png` writes the pictures of all puffs side by side, for engines that draw
+    /// them as billboards: puffs.normal.png, puffs.depth.png and puffs.coverage.png.
+    #[arg(short, long = "output", value_name = "OUT", value_parser = target::export)]
+    pub(crate) out: String,
+}
+
+#[derive(Args, Debug)]
+pub(crate) struct CheckArgs {
+    #[command(flatten)]
+    pub(crate) scene: SceneArgs,
+}
+
+#[derive(Args, Debug)]
+pub(crate) struct InfoArgs {
+    #[command(flatten)]
+    pub(crate) scene: SceneArgs,
+    /// Print one JSON object.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+#[derive(Args, Debug)]
+pub(crate) struct NewArgs {
+    /// What the scene is called: NAME.toml is written, and an existing file is left alone.
+    pub(crate) name: PathBuf,
+    /// What to start from.
+    #[arg(long, value_enum, default_value_t = Template::Smoke)]
+    pub(crate) template: Template,
+}
+
+/// What a new scene starts from.
+#[derive(Clone, Copy, Debug, Eq, PartialEq, ValueEnum)]
+pub(crate) enum Template {
+    /// A column of smoke that rises and drifts.
+    Smoke,
+    /// A still cloud of a few particles.
+    Cloud,
+    /// A burst, a fireball and what is left of it.
+    Explosion,
+}
+
+fn layer(name: &str) -> Result<Layer, String> {
+    name.parse().map_err(|_| {
+        let known: Vec<String> = Layer::ALL.iter().map(ToString::to_string).collect();
+        format!("the layers are {}", known.join(", "))
+    })
+}

@@ -1,0 +1,111 @@
+//! `fumetto check`
+
+use std::io;
+use std::process::ExitCode;
+
+use anyhow::Context as _;
+use fumetto::Assets as _;
+use fumetto_formats::{FormatError, is_sequence, read_particles, read_png, sequence_path};
+use fumetto_scene::{Background, Matter, Ramp, Report, Scene, Time};
+
+use crate::args::CheckArgs;
+use crate::console;
+use crate::files::SceneFolder;
+use crate::scene::{self, Opened};
+
+/// Broken files that are told of one sequence: whoever misses one frame often misses all.
+const PROBLEMS_A_SEQUENCE: usize = 3;
+
+pub(crate) fn run(args: &CheckArgs) -> anyhow::Result<ExitCode> {
+    let opened = match scene::load(&args.scene) {
+        Ok(opened) => opened,
+        Err(error) => {
+            let report: Report = error.downcast()?;
+            console::print(&report.render(console::stdout_is_coloured()))?;
+            return Ok(ExitCode::FAILURE);
+        }
+    };
+    let problems = check_files(&opened);
+    if !opened.report.is_empty() {
+        console::print(&opened.report.render(console::stdout_is_coloured()))?;
+    }
+    for problem in &problems {
+        console::print(&format!("error: {}: {problem}", args.scene.scene.display()))?;
+    }
+    if !problems.is_empty() {
+        return Ok(ExitCode::FAILURE);
+    }
+    if opened.report.is_empty() {
+        console::print("no problems")?;
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+/// What is wrong with the files that the scene names.
+fn check_files(opened: &Opened) -> Vec<String> {
+    let Opened { scene, folder, .. } = opened;
+    let mut problems = Vec::new();
+    let mut note = |whose: String, result: anyhow::Result<()>| {
+        if let Err(error) = result {
+            problems.push(format!("{whose}: {error:#}"));
+        }
+    };
+    for object in &scene.objects {
+        if let Matter::File(path) = &object.matter {
+            for result in check_particles(folder, path, &scene.time) {
+                note(format!("the particles of `{}`", object.name), result);
+            }
+        }
+    }
+    for (ramp, objects) in ramps(scene) {
+        note(format!("the ramp of {objects}"), check_picture(folder, ramp));
+    }
+    if let Background::Image(path) = &scene.background {
+        note("the background".to_owned(), check_picture(folder, path));
+    }
+    problems
+}
+
+/// Reads the particle file `path`, or as many of its sequence as the scene's frames show.
+fn check_particles(folder: &SceneFolder, path: &str, time: &Time) -> Vec<anyhow::Result<()>> {
+    if !is_sequence(path) {
+        return vec![check_one(folder, path)];
+    }
+    let [first, last] = time.frames;
+    // A drawing is held from the last multiple of `hold` on.
+    let drawings = (first - first % time.hold..=last).step_by(time.hold as usize);
+    let results = drawings.map(|frame| check_one(folder, &sequence_path(path, frame)));
+    results.filter(Result::is_err).take(PROBLEMS_A_SEQUENCE).collect()
+}
+
+fn check_one(folder: &SceneFolder, path: &str) -> anyhow::Result<()> {
+    check(folder, path, |bytes| read_particles(path, bytes).map(drop))
+}
+
+fn check_picture(folder: &SceneFolder, path: &str) -> anyhow::Result<()> {
+    check(folder, path, |bytes| read_png(path, bytes).map(drop))
+}
+
+fn check(
+    folder: &SceneFolder,
+    path: &str,
+    read: impl Fn(&[u8]) -> Result<(), FormatError>,
+) -> anyhow::Result<()> {
+    let bytes: Result<Vec<u8>, io::Error> = folder.read(path);
+    let bytes = bytes.with_context(|| format!("cannot read `{path}`"))?;
+    Ok(read(&bytes)?)
+}
+
+/// Every ramp picture once, and the objects that are drawn with it.
+fn ramps(scene: &Scene) -> Vec<(&str, String)> {
+    let mut ramps: Vec<(&str, String)> = Vec::new();
+    for object in &scene.objects {
+        if let Ramp::Image(path) = &object.style.ramp {
+            match ramps.iter_mut().find(|(known, _)| known == path) {
+                Some((_, objects)) => *objects += &format!(", `{}`", object.name),
+                None => ramps.push((path, format!("`{}`", object.name))),
+            }
+        }
+    }
+    ramps
+}

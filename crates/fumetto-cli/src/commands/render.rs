@@ -1,0 +1,55 @@
+//! `fumetto render`
+
+use std::process::ExitCode;
+use std::time::Instant;
+
+use crate::args::RenderArgs;
+use crate::interrupt::Interrupt;
+use crate::progress::Progress;
+use crate::render::{Drawing, Plan, Sink};
+use crate::scene;
+use crate::stage::Stage;
+
+pub(crate) fn run(args: &RenderArgs) -> anyhow::Result<ExitCode> {
+    Plan::check(args)?;
+    let opened = scene::open(&args.scene)?;
+    let plan = Plan::new(args, &opened.scene)?;
+    let mut sink = Sink::open(&plan, &opened.scene)?;
+    let interrupt = Interrupt::listen()?;
+
+    let everything_is_done = plan.frames.iter().all(|frame| plan.is_done(frame));
+    let mut stage = if everything_is_done {
+        None
+    } else {
+        Some(Stage::new(&args.scene.scene.display().to_string(), opened.scene, opened.folder)?)
+    };
+
+    let mut progress = Progress::new(&plan, args.json);
+    let mut shown: Option<Drawing> = None;
+    for frame in plan.frames.iter() {
+        interrupt.check()?;
+        let start = Instant::now();
+        match &mut stage {
+            Some(stage) if !plan.is_done(frame) => {
+                let drawing = match shown.take() {
+                    Some(held) if held.number == plan.drawing(frame) => held,
+                    _ => draw(stage, &plan, frame, &interrupt)?,
+                };
+                sink.write(&plan, frame, &drawing)?;
+                shown = Some(drawing);
+                progress.wrote(frame, start.elapsed())?;
+            }
+            _ => progress.skipped(frame)?,
+        }
+    }
+    sink.finish(&plan)?;
+    progress.finish(stage.map(|stage| stage.adapter()).as_deref())?;
+    Ok(ExitCode::SUCCESS)
+}
+
+fn draw(stage: &mut Stage, plan: &Plan, frame: u32, interrupt: &Interrupt) -> anyhow::Result<Drawing> {
+    stage.seek(frame, interrupt)?;
+    let picture = stage.picture(&plan.shot)?;
+    let layers = plan.layers.iter().map(|&layer| stage.layer(&plan.shot, layer)).collect::<Result<_, _>>()?;
+    Ok(Drawing { number: plan.drawing(frame), picture, layers })
+}

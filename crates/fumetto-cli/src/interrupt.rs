@@ -1,0 +1,35 @@
+//! Ctrl-C, asked for between two frames.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use anyhow::Context as _;
+
+use crate::exit::Stop;
+
+/// Whether the user wants to stop.
+#[derive(Clone, Debug)]
+pub(crate) struct Interrupt {
+    asked: Arc<AtomicBool>,
+}
+
+impl Interrupt {
+    /// From now on Ctrl-C (and a request to terminate) is noted instead of ending the program. The
+    /// second one ends it all the same: a graphics driver may hang.
+    pub(crate) fn listen() -> anyhow::Result<Self> {
+        let asked = Arc::new(AtomicBool::new(false));
+        let flag = Arc::clone(&asked);
+        ctrlc::set_handler(move || {
+            if flag.swap(true, Ordering::SeqCst) {
+                std::process::exit(130);
+            }
+        })
+        .context("cannot listen for Ctrl-C")?;
+        Ok(Self { asked })
+    }
+
+    /// Ends the work, by an error, if the user wants that.
+    pub(crate) fn check(&self) -> Result<(), Stop> {
+        if self.asked.load(Ordering::SeqCst) { Err(Stop::Interrupted) } else { Ok(()) }
+    }
+}

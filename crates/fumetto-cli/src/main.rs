@@ -1,0 +1,24 @@
+//! `fumetto`: draws smoke, clouds and fog as a cartoonist would, from the shell.
+
+mod args;
+mod commands;
+mod console;
+mod exit;
+mod files;
+mod gpu;
+mod interrupt;
+mod output;
+mod pending;
+mod progress;
+mod render;
+mod scene;
+mod stage;
+
+use std::process::ExitCode;
+
+use clap::Parser as _;
+
+fn main() -> ExitCode {
+    let cli = args::Cli::parse();
+    exit::code_of(|| commands::run(cli.command))
+}

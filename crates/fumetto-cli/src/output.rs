@@ -1,0 +1,116 @@
+//! Files that are written: whole or not at all.
+//!
+//! A file grows under a hidden temporary name in its final folder and gets its own name when it is
+//! complete, so a name is either absent, or the old file, or the new one.
+
+use std::fs::File;
+use std::io::{self, BufWriter, Write};
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context as _, bail};
+use tempfile::{Builder, NamedTempFile};
+
+/// A file that does not have its name yet. Dropping it leaves nothing behind.
+pub(crate) struct Draft {
+    file: BufWriter<NamedTempFile>,
+    path: PathBuf,
+}
+
+impl Draft {
+    /// Starts the file that will be `path`.
+    pub(crate) fn new(path: &Path) -> anyhow::Result<Self> {
+        if path.is_dir() {
+            bail!("cannot write {}: it is a folder; choose another name", path.display());
+        }
+        let folder = folder_of(path);
+        let file = temporary(folder).map_err(|error| refusal(path, folder, &error))?;
+        Ok(Self { file: BufWriter::new(file), path: path.to_owned() })
+    }
+
+    /// Gives the file its name, in place of any file that had it.
+    pub(crate) fn publish(self) -> anyhow::Result<()> {
+        let path = self.path.clone();
+        let failed = || format!("cannot write {}", path.display());
+        let file = self.settle().with_context(failed)?;
+        file.persist(&path).map_err(|error| error.error).with_context(failed)?;
+        Ok(())
+    }
+
+    /// Gives the file its name, unless another file has it.
+    pub(crate) fn publish_new(self) -> anyhow::Result<()> {
+        let path = self.path.clone();
+        let file = self.settle().with_context(|| format!("cannot write {}", path.display()))?;
+        file.persist_noclobber(&path).map(drop).map_err(|error| match error.error.kind() {
+            io::ErrorKind::AlreadyExists => {
+                anyhow::anyhow!("{} exists already and was left alone; choose another name", path.display())
+            }
+            _ => anyhow::Error::new(error.error).context(format!("cannot write {}", path.display())),
+        })
+    }
+
+    /// All bytes on the disk: network and full disks report errors only now.
+    fn settle(self) -> io::Result<NamedTempFile> {
+        let file = self.file.into_inner().map_err(io::IntoInnerError::into_error)?;
+        file.as_file().sync_all()?;
+        Ok(file)
+    }
+}
+
+impl Write for Draft {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.file.write(bytes)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.file.flush()
+    }
+}
+
+/// Writes a whole file.
+pub(crate) fn write<E>(path: &Path, fill: impl FnOnce(&mut Draft) -> Result<(), E>) -> anyhow::Result<()>
+where
+    E: std::error::Error + Send + Sync + 'static,
+{
+    let mut draft = Draft::new(path)?;
+    fill(&mut draft).with_context(|| format!("cannot write {}", path.display()))?;
+    draft.publish()
+}
+
+/// Finds out early whether `path` can be written, before hours are spent on what goes there.
+pub(crate) fn check(path: &Path) -> anyhow::Result<()> {
+    Draft::new(path).map(drop)
+}
+
+fn folder_of(path: &Path) -> &Path {
+    match path.parent() {
+        Some(folder) if folder != Path::new("") => folder,
+        _ => Path::new("."),
+    }
+}
+
+fn temporary(folder: &Path) -> io::Result<NamedTempFile<File>> {
+    let mut builder = Builder::new();
+    builder.prefix(".fumetto-").suffix(".tmp");
+    // Temporary files are private; a picture is as readable as the user's other files (the umask still
+    // takes its bits away).
+    #[cfg(unix)]
+    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+    builder.tempfile_in(folder)
+}
+
+fn refusal(path: &Path, folder: &Path, error: &io::Error) -> anyhow::Error {
+    let (path, shown) = (path.display(), folder.display());
+    if folder.is_dir() {
+        let reason = error
+            .get_ref()
+            .and_then(|inner| inner.source())
+            .map_or_else(|| error.to_string(), ToString::to_string);
+        anyhow::anyhow!(
+            "cannot write {path}: the folder {shown} refuses new files ({reason}); choose another"
+        )
+    } else if folder.exists() {
+        anyhow::anyhow!("cannot write {path}: {shown} is not a folder; choose another")
+    } else {
+        anyhow::anyhow!("cannot write {path}: there is no folder {shown}; create it first (mkdir -p {shown})")
+    }
+}

@@ -1,0 +1,98 @@
+//! How far a rendering is: a bar on a terminal, JSON for programs.
+
+use std::time::{Duration, Instant};
+
+use indicatif::{ProgressBar, ProgressStyle};
+use serde_json::json;
+
+use crate::console;
+use crate::render::Plan;
+
+/// Tells what has been done.
+pub(crate) struct Progress<'a> {
+    plan: &'a Plan,
+    /// Not drawn unless standard error is a terminal.
+    bar: ProgressBar,
+    json: bool,
+    start: Instant,
+    written: u64,
+    skipped: u64,
+}
+
+impl<'a> Progress<'a> {
+    pub(crate) fn new(plan: &'a Plan, json: bool) -> Self {
+        let bar = ProgressBar::new(plan.frames.len());
+        if let Ok(style) = ProgressStyle::with_template("{bar:30} {pos}/{len} frames, {eta} left") {
+            bar.set_style(style);
+        }
+        bar.enable_steady_tick(Duration::from_millis(200));
+        Self { plan, bar, json, start: Instant::now(), written: 0, skipped: 0 }
+    }
+
+    /// `frame` has been written.
+    pub(crate) fn wrote(&mut self, frame: u32, took: Duration) -> anyhow::Result<()> {
+        self.written += 1;
+        self.bar.inc(1);
+        let mut line = json!({ "frame": frame, "file": self.plan.file(frame), "ms": millis(took) });
+        if !self.plan.layers.is_empty() {
+            let layers = &self.plan.layers;
+            line["layers"] = layers.iter().map(|&layer| self.plan.layer_file(frame, layer)).collect();
+        }
+        self.print(&line)
+    }
+
+    /// `frame` was there already.
+    pub(crate) fn skipped(&mut self, frame: u32) -> anyhow::Result<()> {
+        self.skipped += 1;
+        self.bar.inc(1);
+        // What takes no time says nothing about the rest.
+        self.bar.reset_eta();
+        self.print(&json!({ "frame": frame, "file": self.plan.file(frame), "ms": 0.0, "skipped": true }))
+    }
+
+    /// All is done, by `adapter` if anything was drawn.
+    pub(crate) fn finish(self, adapter: Option<&str>) -> anyhow::Result<()> {
+        self.bar.finish_and_clear();
+        let secs = self.start.elapsed().as_secs_f64();
+        self.print(&json!({
+            "done": true,
+            "frames": self.written,
+            "skipped": self.skipped,
+            "seconds": (secs * 1e3).round() / 1e3,
+            "adapter": adapter,
+        }))?;
+        console::say(&self.summary(secs, adapter));
+        Ok(())
+    }
+
+    fn summary(&self, secs: f64, adapter: Option<&str>) -> String {
+        let (first, last) = (self.plan.frames.first, self.plan.frames.last);
+        let files = match (self.plan.file(first), self.plan.file(last)) {
+            (first, last) if first == last => first,
+            (first, last) => format!("{first} to {last}"),
+        };
+        let Some(adapter) = adapter else {
+            return format!("nothing to do: {files} exist already");
+        };
+        let frames = match self.written {
+            1 => "1 frame".to_owned(),
+            written => format!("{written} frames"),
+        };
+        let skipped = match self.skipped {
+            0 => String::new(),
+            skipped => format!(", {skipped} were there already"),
+        };
+        format!("wrote {files}: {frames} in {secs:.1} s{skipped}, on {adapter}")
+    }
+
+    fn print(&self, line: &serde_json::Value) -> anyhow::Result<()> {
+        if self.json {
+            self.bar.suspend(|| console::print(&line.to_string()))?;
+        }
+        Ok(())
+    }
+}
+
+fn millis(time: Duration) -> f64 {
+    (time.as_secs_f64() * 1e5).round() / 1e2
+}

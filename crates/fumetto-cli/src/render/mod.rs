@@ -1,0 +1,17 @@
+//! What a rendering consists of, and where it goes.
+
+mod names;
+mod plan;
+mod sink;
+
+pub(crate) use self::{names::with_part, plan::Plan, sink::Sink};
+
+use fumetto_formats::Image;
+
+/// A finished picture and the layers that were asked for, in their order.
+pub(crate) struct Drawing {
+    /// Frames of the same number look the same.
+    pub(crate) number: u32,
+    pub(crate) picture: Image,
+    pub(crate) layers: Vec<Image>,
+}

@@ -1,0 +1,106 @@
+use std::path::Path;
+
+use crate::pending::Layer;
+use fumetto::Shot;
+use fumetto_formats::{is_sequence, sequence_path};
+use fumetto_scene::{Camera, Matter, Scene};
+
+use super::with_part;
+use crate::args::{FrameRange, RenderArgs, Target, TargetKind};
+use crate::exit::Stop;
+
+/// What is to be drawn, from the scene and the command line.
+pub(crate) struct Plan {
+    pub(crate) frames: FrameRange,
+    pub(crate) shot: Shot,
+    pub(crate) layers: Vec<Layer>,
+    pub(crate) target: Target,
+    resume: bool,
+    hold: u32,
+    is_still: bool,
+}
+
+impl Plan {
+    /// Refuses what the command line alone shows to be wrong.
+    pub(crate) fn check(args: &RenderArgs) -> Result<(), Stop> {
+        let name = &args.out.name;
+        let wrong = |problem: String| Err(Stop::Usage(problem));
+        match args.out.kind {
+            TargetKind::Picture if args.frames.is_some_and(|frames| frames.len() > 1) => {
+                let sequence = with_part(name, "####");
+                wrong(format!("{name} holds one frame; for --frames name a sequence such as {sequence}"))
+            }
+            TargetKind::Picture | TargetKind::Animation if args.resume => {
+                wrong(format!("--resume goes on with a sequence such as smoke.####.png; {name} is one file"))
+            }
+            TargetKind::Animation if !args.layers.is_empty() => {
+                wrong(format!("--layers are written as .png; {name} is an animation"))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    pub(crate) fn new(args: &RenderArgs, scene: &Scene) -> Result<Self, Stop> {
+        let [first, last] = scene.time.frames;
+        let frames = match (args.frame, args.frames, args.out.kind) {
+            (Some(frame), ..) => FrameRange::one(frame),
+            (_, Some(frames), _) => frames,
+            (_, _, TargetKind::Picture) => FrameRange::one(last),
+            (_, _, TargetKind::Sequence | TargetKind::Animation) => FrameRange { first, last },
+        };
+        let shot = Shot {
+            camera: camera(scene, args.camera.as_deref())?,
+            size: args.size.map_or(scene.output.size, |size| size.0),
+            antialias: args.antialias.unwrap_or(scene.output.antialias),
+        };
+        let mut layers: Vec<Layer> = Vec::new();
+        for layer in &args.layers {
+            if !layers.contains(layer) {
+                layers.push(*layer);
+            }
+        }
+        let is_still = scene.objects.iter().all(|object| match &object.matter {
+            Matter::Still(_) => true,
+            Matter::File(path) => !is_sequence(path),
+            Matter::Smoke(_) => false,
+        });
+        let (target, resume, hold) = (args.out.clone(), args.resume, scene.time.hold);
+        Ok(Self { frames, shot, layers, target, resume, hold, is_still })
+    }
+
+    /// The number of the drawing that `frame` shows: frames that are held share one, and so do all
+    /// frames of a scene in which nothing moves.
+    pub(crate) fn drawing(&self, frame: u32) -> u32 {
+        if self.is_still { self.frames.first } else { frame - frame % self.hold }
+    }
+
+    /// The file that `frame` goes to.
+    pub(crate) fn file(&self, frame: u32) -> String {
+        sequence_path(&self.target.name, frame)
+    }
+
+    /// The file that a layer of `frame` goes to.
+    pub(crate) fn layer_file(&self, frame: u32, layer: Layer) -> String {
+        with_part(&self.file(frame), &layer.to_string())
+    }
+
+    /// Whether `frame` need not be drawn, because an earlier run has written all its files.
+    pub(crate) fn is_done(&self, frame: u32) -> bool {
+        let is_file = |name: String| Path::new(&name).is_file();
+        self.resume
+            && is_file(self.file(frame))
+            && self.layers.iter().all(|&layer| is_file(self.layer_file(frame, layer)))
+    }
+}
+
+fn camera(scene: &Scene, name: Option<&str>) -> Result<Camera, Stop> {
+    let found = match name {
+        Some(name) => scene.cameras.iter().find(|camera| camera.name == name),
+        None => scene.cameras.first(),
+    };
+    found.cloned().ok_or_else(|| {
+        let known: Vec<&str> = scene.cameras.iter().map(|camera| camera.name.as_str()).collect();
+        let name = name.unwrap_or_default();
+        Stop::Usage(format!("--camera {name}: the scene has no such camera; it has {}", known.join(", ")))
+    })
+}

@@ -1,0 +1,85 @@
+use std::path::Path;
+
+use anyhow::Context as _;
+use fumetto_formats::{GifWriter, Image, write_png};
+use fumetto_scene::{Background, Colour, Ramp, Scene};
+
+use super::{Drawing, Plan};
+use crate::args::TargetKind;
+use crate::output::{self, Draft};
+
+/// Where finished frames go.
+pub(crate) enum Sink {
+    /// A file for each frame, and one for each of its layers.
+    Pictures,
+    /// One file, which gets its name when the last frame is in it.
+    Animation(Box<GifWriter<Draft>>),
+}
+
+impl Sink {
+    /// Opens what can be opened before the first frame is drawn, so that a wrong name costs nothing.
+    pub(crate) fn open(plan: &Plan, scene: &Scene) -> anyhow::Result<Self> {
+        let name = &plan.target.name;
+        match plan.target.kind {
+            TargetKind::Animation => {
+                let draft = Draft::new(Path::new(name))?;
+                let [width, height] = plan.shot.size;
+                let transparent = scene.background == Background::Transparent;
+                let keep = flat_colours(scene);
+                let gif = GifWriter::new(draft, width, height, scene.time.fps, transparent, &keep)
+                    .with_context(|| format!("cannot write {name}"))?;
+                Ok(Self::Animation(Box::new(gif)))
+            }
+            TargetKind::Picture | TargetKind::Sequence => {
+                output::check(Path::new(&plan.file(plan.frames.first)))?;
+                Ok(Self::Pictures)
+            }
+        }
+    }
+
+    /// Writes a frame.
+    pub(crate) fn write(&mut self, plan: &Plan, frame: u32, drawing: &Drawing) -> anyhow::Result<()> {
+        match self {
+            // The picture comes last: where it is, --resume can rely on its layers.
+            Self::Pictures => {
+                for (&layer, image) in plan.layers.iter().zip(&drawing.layers) {
+                    write_picture(&plan.layer_file(frame, layer), image)?;
+                }
+                write_picture(&plan.file(frame), &drawing.picture)
+            }
+            Self::Animation(gif) => {
+                gif.push(&drawing.picture).with_context(|| format!("cannot write {}", plan.target.name))
+            }
+        }
+    }
+
+    /// Completes what is still open.
+    pub(crate) fn finish(self, plan: &Plan) -> anyhow::Result<()> {
+        match self {
+            Self::Pictures => Ok(()),
+            Self::Animation(gif) => {
+                let draft = gif.finish().with_context(|| format!("cannot write {}", plan.target.name))?;
+                draft.publish()
+            }
+        }
+    }
+}
+
+fn write_picture(name: &str, image: &Image) -> anyhow::Result<()> {
+    output::write(Path::new(name), |draft| write_png(image, draft))
+}
+
+/// The colours that someone picked, and that an animation's palette has to keep.
+fn flat_colours(scene: &Scene) -> Vec<[u8; 3]> {
+    let mut picked: Vec<Colour> = Vec::new();
+    for object in &scene.objects {
+        if let Ramp::Tones(tones) = &object.style.ramp {
+            picked.extend(tones.iter().map(|tone| tone.colour));
+        }
+        picked.push(object.style.ink.colour);
+    }
+    if let Background::Colour(colour) = scene.background {
+        picked.push(colour);
+    }
+    picked.into_iter().map(Colour::to_srgb8).collect()
+}

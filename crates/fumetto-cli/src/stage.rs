@@ -1,0 +1,85 @@
+//! A scene on the graphics device, and pictures of it.
+
+use crate::pending::{Layer, Pending as _};
+use anyhow::Context as _;
+use fumetto::{Engine, Player, Shot};
+use fumetto_formats::{Image, is_sequence};
+use fumetto_scene::{Matter, Scene};
+
+use crate::console;
+use crate::files::SceneFolder;
+use crate::gpu::{self, Trouble};
+use crate::interrupt::Interrupt;
+
+/// Frames that are simulated before Ctrl-C is asked for and the device is waited for: few enough to
+/// stop within moments, enough to keep the device busy.
+const FRAMES_AT_A_TIME: usize = 8;
+
+/// A scene at one moment, ready to be drawn.
+pub(crate) struct Stage {
+    engine: Engine,
+    player: Player,
+    trouble: Trouble,
+    /// The frame that it is at.
+    frame: u32,
+    reads_sequences: bool,
+}
+
+impl Stage {
+    /// Opens the device and takes the scene to its beginning; `name` is the scene file's.
+    pub(crate) fn new(name: &str, scene: Scene, folder: SceneFolder) -> anyhow::Result<Self> {
+        let (gpu, trouble) = gpu::open()?;
+        let engine = Engine::new(gpu);
+        let reads_sequences = scene
+            .objects
+            .iter()
+            .any(|object| matches!(&object.matter, Matter::File(path) if is_sequence(path)));
+        let player = engine.play(scene, Box::new(folder)).with_context(|| name.to_owned())?;
+        trouble.check()?;
+        for note in player.notes() {
+            console::say(&format!("note: {note}"));
+        }
+        Ok(Self { engine, player, trouble, frame: 0, reads_sequences })
+    }
+
+    /// The graphics adapter in words.
+    pub(crate) fn adapter(&self) -> String {
+        gpu::describe(&self.engine.gpu().adapter)
+    }
+
+    /// Takes the scene to `frame`.
+    pub(crate) fn seek(&mut self, frame: u32, interrupt: &Interrupt) -> anyhow::Result<()> {
+        // Sequences of particle files need not have the frames before the first that is drawn.
+        if !self.reads_sequences {
+            for stop in (self.frame..frame).step_by(FRAMES_AT_A_TIME) {
+                self.engine.seek(&mut self.player, stop)?;
+                self.engine.gpu().wait()?;
+                interrupt.check()?;
+            }
+        }
+        self.engine.seek(&mut self.player, frame)?;
+        self.frame = frame;
+        self.trouble.check()
+    }
+
+    /// The picture of this moment.
+    pub(crate) fn picture(&mut self, shot: &Shot) -> anyhow::Result<Image> {
+        let picture = self.engine.picture(&self.player, shot);
+        self.trouble.check()?;
+        Ok(picture?)
+    }
+
+    /// One layer of what the picture of this moment is made from.
+    pub(crate) fn layer(&mut self, shot: &Shot, layer: Layer) -> anyhow::Result<Image> {
+        let picture = self.engine.layer(&self.player, shot, layer);
+        self.trouble.check()?;
+        Ok(picture?)
+    }
+
+    /// The pictures of all puffs side by side, each with its name.
+    pub(crate) fn atlas(&mut self) -> anyhow::Result<Vec<(&'static str, Image)>> {
+        let pictures = self.engine.atlas(&self.player);
+        self.trouble.check()?;
+        Ok(pictures?)
+    }
+}
