@@ -1,0 +1,14 @@
+#!/usr/bin/env bash
+# Everything that has to hold before a change is good: all checks, then all tests.
+cd "$(dirname "$0")/.." && . scripts/common.sh
+scripts/setup.sh --lint --tests
+scripts/lint.sh
+
+# The tests draw with lavapipe, which gives (nearly) the same picture everywhere, and there no picture
+# may go uncompared. Whoever names a driver tests that driver instead; macOS has no lavapipe.
+if [ -z "${VK_DRIVER_FILES:-}${VK_ICD_FILENAMES:-}" ] && driver=$(lavapipe); then
+    # The second name is that of loaders before Vulkan 1.3.207.
+    export VK_DRIVER_FILES="$driver" VK_ICD_FILENAMES="$driver"
+    export FUMETTO_GOLDEN_REQUIRED=1
+fi
+check "tests" cargo test --locked --workspace
