@@ -16,14 +16,19 @@ pub(crate) fn run() -> anyhow::Result<ExitCode> {
         Ok((gpu, _)) => {
             let limits = gpu.device.limits();
             console::print(&format!("fumetto draws with: {}", gpu::describe(&gpu.adapter)))?;
-            console::print(&limits_words("  and asks of it for", &limits))?;
+            console::print(&limits_words("  uses at most", &limits))?;
             if gpu.adapter.device_type == DeviceType::Cpu {
-                console::print("This is the processor, not a graphics card: correct, but slow.")?;
-                console::print(INSTALL)?;
+                console::print(
+                    "That is the processor: pictures are right, but slow to draw. If there is a graphics",
+                )?;
+                console::print("card, install its driver.")?;
             }
             Ok(ExitCode::SUCCESS)
         }
         Err(error) => {
+            if adapters.is_empty() {
+                console::print("no graphics adapter was found")?;
+            }
             console::print(&format!("fumetto cannot draw here: {error}"))?;
             console::print(INSTALL)?;
             Ok(ExitCode::FAILURE)
@@ -41,7 +46,7 @@ fn describe(adapter: &Adapter) -> String {
         DeviceType::Other => "of unknown type",
     };
     let driver = format!("{} {}", info.driver, info.driver_info);
-    let limits = limits_words("  limits", &adapter.limits());
+    let limits = limits_words("  limits  ", &adapter.limits());
     format!("{}\n  type     {kind}\n  driver   {}\n{limits}", gpu::describe(&info), driver.trim())
 }
 
@@ -49,7 +54,7 @@ fn describe(adapter: &Adapter) -> String {
 fn limits_words(title: &str, limits: &wgpu::Limits) -> String {
     let side = limits.max_texture_dimension_2d;
     let binding = indicatif::BinaryBytes(limits.max_storage_buffer_binding_size);
-    format!("{title}   {side} samples along a picture's side, {binding} in one buffer")
+    format!("{title} {side} samples along a picture's side, {binding} in one buffer")
 }
 
 #[cfg(target_os = "linux")]

@@ -1,0 +1,11 @@
+//! Runs the real `fumetto`, as a shell would, on whatever adapter there is.
+
+#![expect(clippy::unwrap_used, reason = "a test that cannot set up should stop")]
+
+mod bad_input;
+mod documents;
+mod interrupt;
+mod output;
+mod render;
+mod run;
+mod usage;
