@@ -11,7 +11,7 @@ use crate::console;
 const FAILED: u8 = 1;
 const WRONG_USAGE: u8 = 2;
 /// As shells report a program that SIGINT ended: 128 and the signal's number.
-const INTERRUPTED: u8 = 130;
+pub(crate) const INTERRUPTED: u8 = 130;
 
 /// The ends that are no failures of the work itself.
 #[derive(Debug, thiserror::Error)]
@@ -55,10 +55,34 @@ fn fail(error: &anyhow::Error) -> ExitCode {
         console::say(&report.render(console::stderr_is_coloured()));
         return ExitCode::from(FAILED);
     }
-    console::say(&format!("error: {error:#}"));
+    console::say(&format!("error: {}", chain_of(error)));
     match error.downcast_ref::<Stop>() {
         Some(Stop::Usage(_)) => ExitCode::from(WRONG_USAGE),
         Some(Stop::Interrupted) => ExitCode::from(INTERRUPTED),
         None => ExitCode::from(FAILED),
+    }
+}
+
+/// An error and its causes in one line. Causes whose words the error already has are not repeated.
+fn chain_of(error: &anyhow::Error) -> String {
+    error.chain().map(ToString::to_string).fold(String::new(), |told, cause| {
+        if told.is_empty() {
+            cause
+        } else if told.contains(&cause) {
+            told
+        } else {
+            format!("{told}: {cause}")
+        }
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn causes_are_told_once() {
+        let error = anyhow::anyhow!("no room").context("cannot write: no room").context("a.png");
+        assert_eq!(chain_of(&error), "a.png: cannot write: no room");
     }
 }

@@ -1,6 +1,6 @@
 //! Files that are read: the scene, and what it names.
 
-use std::fs::File;
+use std::fs::{self, File};
 use std::io::{self, Read as _};
 use std::path::{Path, PathBuf};
 
@@ -12,9 +12,15 @@ const MAX_TEXT_BYTES: u64 = 64 << 20;
 /// The longest picture or particle file: an uncompressed PNG of the largest size, with room to spare.
 const MAX_ASSET_BYTES: u64 = 1 << 30;
 
-/// The text of a scene or style file.
+/// The text of a scene or style file that the user names; it may be a pipe.
 pub(crate) fn read_text(path: &Path) -> io::Result<String> {
-    let bytes = read_at_most(path, MAX_TEXT_BYTES)?;
+    if fs::metadata(path)?.is_dir() {
+        return Err(io::Error::new(io::ErrorKind::IsADirectory, "it is a folder"));
+    }
+    text(read_at_most(path, MAX_TEXT_BYTES)?)
+}
+
+fn text(bytes: Vec<u8>) -> io::Result<String> {
     String::from_utf8(bytes).map_err(|error| {
         let text = &error.as_bytes()[..error.utf8_error().valid_up_to()];
         // As many pieces as lines have begun.
@@ -24,19 +30,15 @@ pub(crate) fn read_text(path: &Path) -> io::Result<String> {
     })
 }
 
-/// Does not trust the length that the file system tells: devices and pipes have none.
+/// Does not rely on the length that the file system tells: pipes have none.
 fn read_at_most(path: &Path, limit: u64) -> io::Result<Vec<u8>> {
-    let file = File::open(path)?;
-    if file.metadata()?.is_dir() {
-        return Err(io::Error::new(io::ErrorKind::IsADirectory, "it is a folder"));
-    }
     let mut bytes = Vec::new();
-    file.take(limit + 1).read_to_end(&mut bytes)?;
-    if bytes.len() as u64 > limit {
-        let problem = format!("it is longer than {} MiB", limit >> 20);
-        return Err(io::Error::new(io::ErrorKind::FileTooLarge, problem));
-    }
-    Ok(bytes)
+    File::open(path)?.take(limit + 1).read_to_end(&mut bytes)?;
+    if bytes.len() as u64 > limit { Err(too_long(limit)) } else { Ok(bytes) }
+}
+
+fn too_long(limit: u64) -> io::Error {
+    io::Error::new(io::ErrorKind::FileTooLarge, format!("it is longer than {} MiB", limit >> 20))
 }
 
 /// The files beside a scene file.
@@ -51,18 +53,34 @@ impl SceneFolder {
         Self { folder: scene.parent().unwrap_or(Path::new("")).to_owned() }
     }
 
-    /// Where `path`, as the scene writes it, is.
-    pub(crate) fn path(&self, path: &str) -> PathBuf {
-        self.folder.join(path)
+    /// The text of the style file that the scene calls `path`.
+    pub(crate) fn read_text(&self, path: &str) -> io::Result<String> {
+        text(self.read_file(path, MAX_TEXT_BYTES)?)
+    }
+
+    /// Opens regular files only: a scene out of strange hands may name a pipe that never ends.
+    fn read_file(&self, path: &str, limit: u64) -> io::Result<Vec<u8>> {
+        let place = self.folder.join(path);
+        let read = || {
+            let metadata = fs::metadata(&place)?;
+            if !metadata.is_file() {
+                return Err(io::Error::new(io::ErrorKind::InvalidInput, "it is not a regular file"));
+            }
+            if metadata.len() > limit {
+                return Err(too_long(limit));
+            }
+            read_at_most(&place, limit)
+        };
+        // The message that this becomes part of has the name as the scene writes it; say where it led.
+        read().map_err(|error| match place.as_path() == Path::new(path) {
+            true => error,
+            false => io::Error::new(error.kind(), format!("{}: {error}", place.display())),
+        })
     }
 }
 
 impl Assets for SceneFolder {
     fn read(&self, path: &str) -> io::Result<Vec<u8>> {
-        let place = self.path(path);
-        read_at_most(&place, MAX_ASSET_BYTES).map_err(|error| {
-            // The engine's message has the name as the scene writes it; say where that led.
-            io::Error::new(error.kind(), format!("{}: {error}", place.display()))
-        })
+        self.read_file(path, MAX_ASSET_BYTES)
     }
 }

@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use anyhow::Context as _;
 
-use crate::exit::Stop;
+use crate::exit::{INTERRUPTED, Stop};
 
 /// Whether the user wants to stop.
 #[derive(Clone, Debug)]
@@ -16,16 +16,20 @@ pub(crate) struct Interrupt {
 impl Interrupt {
     /// From now on Ctrl-C (and a request to terminate) is noted instead of ending the program. The
     /// second one ends it all the same: a graphics driver may hang.
+    ///
+    /// Where the caller has these signals ignored, as `nohup` does, they stay ignored.
     pub(crate) fn listen() -> anyhow::Result<Self> {
         let asked = Arc::new(AtomicBool::new(false));
         let flag = Arc::clone(&asked);
-        ctrlc::set_handler(move || {
+        let listening = ctrlc::try_set_handler(move || {
             if flag.swap(true, Ordering::SeqCst) {
-                std::process::exit(130);
+                std::process::exit(INTERRUPTED.into());
             }
-        })
-        .context("cannot listen for Ctrl-C")?;
-        Ok(Self { asked })
+        });
+        match listening {
+            Ok(()) | Err(ctrlc::Error::MultipleHandlers) => Ok(Self { asked }),
+            Err(error) => Err(error).context("cannot listen for Ctrl-C"),
+        }
     }
 
     /// Ends the work, by an error, if the user wants that.

@@ -101,10 +101,7 @@ fn temporary(folder: &Path) -> io::Result<NamedTempFile<File>> {
 fn refusal(path: &Path, folder: &Path, error: &io::Error) -> anyhow::Error {
     let (path, shown) = (path.display(), folder.display());
     if folder.is_dir() {
-        let reason = error
-            .get_ref()
-            .and_then(|inner| inner.source())
-            .map_or_else(|| error.to_string(), ToString::to_string);
+        let reason = error.kind();
         anyhow::anyhow!(
             "cannot write {path}: the folder {shown} refuses new files ({reason}); choose another"
         )

@@ -39,7 +39,7 @@ pub(crate) fn load(args: &SceneArgs) -> anyhow::Result<Opened> {
         args.set.iter().map(|setting| (setting.path.clone(), setting.value.clone())).collect();
     let folder = SceneFolder::of(&args.scene);
     let text = SceneText { name: &name, toml: &toml, set: &set, style: style.as_ref().map(Style::choice) };
-    let mut resolve = |path: &str| read_text(&folder.path(path)).map_err(|error| error.to_string());
+    let mut resolve = |path: &str| folder.read_text(path).map_err(|error| error.to_string());
     let (scene, report) = Scene::load(&text, &mut resolve)?;
     Ok(Opened { scene, report, folder })
 }

@@ -14,8 +14,8 @@ pub(crate) fn run(args: &RenderArgs) -> anyhow::Result<ExitCode> {
     Plan::check(args)?;
     let opened = scene::open(&args.scene)?;
     let plan = Plan::new(args, &opened.scene)?;
-    let mut sink = Sink::open(&plan, &opened.scene)?;
     let interrupt = Interrupt::listen()?;
+    let mut sink = Sink::open(&plan, &opened.scene)?;
 
     let everything_is_done = plan.frames.iter().all(|frame| plan.is_done(frame));
     let mut stage = if everything_is_done {

@@ -46,7 +46,10 @@ fn broken_files_beside_the_scene() {
     refused(cloud_of("bad.toml"), &["bad.toml", ".ply"]);
     refused(SMOKE.replace("colour = \"#f3ead8\"", "image = \"bad.toml\""), &["not a readable PNG"]);
     #[cfg(unix)]
-    refused(SMOKE.replace("colour = \"#f3ead8\"", "image = \"/dev/zero\""), &["/dev/zero", "not a regular file"]);
+    refused(
+        SMOKE.replace("colour = \"#f3ead8\"", "image = \"/dev/zero\""),
+        &["/dev/zero", "not a regular file"],
+    );
 }
 
 #[test]

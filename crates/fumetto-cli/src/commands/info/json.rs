@@ -1,0 +1,76 @@
+//! For programs.
+
+use fumetto_scene::{Matter, Object, Ramp, Scene, Shading, Style};
+use serde_json::{Value, json};
+
+use super::{background, bytes, duration_secs, hex, light_kind, sum};
+
+/// What is in the scene `name`, and how many `particles` each object holds.
+pub(super) fn of(name: &str, scene: &Scene, particles: &[u64]) -> Value {
+    let objects: Vec<Value> = scene
+        .objects
+        .iter()
+        .zip(particles)
+        .map(|(object, &particles)| object_json(object, particles))
+        .collect();
+    let lights: Vec<Value> = scene
+        .lights
+        .iter()
+        .map(|light| json!({ "kind": light_kind(light), "intensity": light.intensity, "shadow": light.shadow }))
+        .collect();
+    json!({
+        "scene": name,
+        "size": scene.output.size,
+        "antialias": scene.output.antialias,
+        "frames": scene.time.frames,
+        "fps": scene.time.fps,
+        "seconds": duration_secs(scene),
+        "hold": scene.time.hold,
+        "substeps": scene.time.substeps,
+        "cameras": scene.cameras.iter().map(|camera| camera.name.as_str()).collect::<Vec<_>>(),
+        "lights": lights,
+        "background": background(scene),
+        "objects": objects,
+        "particles": sum(particles),
+        "bytes": bytes(sum(particles)),
+    })
+}
+
+fn object_json(object: &Object, particles: u64) -> Value {
+    let (kind, emitters, forces, file) = match &object.matter {
+        Matter::Still(_) => ("cloud", 0, 0, None),
+        Matter::File(path) => ("cloud", 0, 0, Some(path)),
+        Matter::Smoke(smoke) => ("smoke", smoke.emitters.len(), smoke.forces.len(), None),
+    };
+    json!({
+        "name": object.name,
+        "kind": kind,
+        "visible": object.visible,
+        "emitters": emitters,
+        "forces": forces,
+        "file": file,
+        "particles": particles,
+        "bytes": bytes(particles),
+        "style": style_json(&object.style),
+    })
+}
+
+fn style_json(style: &Style) -> Value {
+    let (tones, ramp) = match &style.ramp {
+        Ramp::Tones(tones) => (tones.iter().map(|tone| hex(tone.colour.to_srgb8())).collect(), None),
+        Ramp::Image(path) => (Vec::new(), Some(path)),
+    };
+    let shading = match style.shading {
+        Shading::Auto => "auto",
+        Shading::PerPixel => "per-pixel",
+        Shading::PreShaded => "pre-shaded",
+    };
+    json!({
+        "tones": tones,
+        "ramp": ramp,
+        "form": style.form,
+        "shading": shading,
+        "ink": style.ink.on.then(|| hex(style.ink.colour.to_srgb8())),
+        "shadow": style.shadow.on,
+    })
+}

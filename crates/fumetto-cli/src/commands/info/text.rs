@@ -1,0 +1,85 @@
+//! For people.
+
+use fumetto_formats::is_sequence;
+use fumetto_scene::{Light, Matter, Object, Ramp, Scene, Style, Width};
+use indicatif::{BinaryBytes, HumanCount};
+
+use super::{background, bytes, duration_secs, hex, light_kind, sum};
+
+/// What is in the scene `name`, and how many `particles` each object holds.
+pub(super) fn of(name: &str, scene: &Scene, particles: &[u64]) -> String {
+    let ([width, height], samples) = (scene.output.size, scene.output.antialias);
+    let ([first, last], time) = (scene.time.frames, &scene.time);
+    let cameras: Vec<&str> = scene.cameras.iter().map(|camera| camera.name.as_str()).collect();
+    let lights: Vec<String> = scene.lights.iter().map(light_words).collect();
+    let lights = if lights.is_empty() { "none".to_owned() } else { lights.join(", ") };
+    let mut lines = vec![
+        name.to_owned(),
+        format!("  picture     {width} x {height} pixels, {samples} x {samples} samples each"),
+        format!("  frames      {first} to {last}, {} a second: {:.1} s", time.fps, duration_secs(scene)),
+        format!("  drawn       every {}, simulated in {}", counted(time.hold, "frame"), steps(time.substeps)),
+        format!("  cameras     {}", cameras.join(", ")),
+        format!("  lights      {lights}"),
+        format!("  background  {}", background(scene)),
+    ];
+    for (object, &particles) in scene.objects.iter().zip(particles) {
+        lines.push(format!(
+            "  `{}`: {}{}",
+            object.name,
+            matter(object),
+            if object.visible { "" } else { ", hidden" }
+        ));
+        lines.push(format!("    particles {}", cost(particles)));
+        lines.push(format!("    style     {}", style_words(&object.style)));
+    }
+    lines.push(format!("  in all      {}", cost(sum(particles))));
+    lines.join("\n")
+}
+
+fn cost(particles: u64) -> String {
+    format!("at most {} at once, {} on the GPU", HumanCount(particles), BinaryBytes(bytes(particles)))
+}
+
+fn counted(number: u32, what: &str) -> String {
+    if number == 1 { what.to_owned() } else { format!("{number} {what}s") }
+}
+
+fn steps(substeps: u32) -> String {
+    if substeps == 1 { "1 step a frame".to_owned() } else { format!("{substeps} steps a frame") }
+}
+
+fn light_words(light: &Light) -> String {
+    let shadows = if light.shadow { "" } else { " without shadows" };
+    format!("{}{shadows}", light_kind(light))
+}
+
+fn matter(object: &Object) -> String {
+    match &object.matter {
+        Matter::Still(_) => "particles in the scene file".to_owned(),
+        Matter::File(path) if is_sequence(path) => format!("particles in {path}, by frame"),
+        Matter::File(path) => format!("particles in {path}"),
+        Matter::Smoke(smoke) => {
+            let counted =
+                |number: usize, what: &str| format!("{number} {what}{}", if number == 1 { "" } else { "s" });
+            let (emitters, forces) =
+                (counted(smoke.emitters.len(), "emitter"), counted(smoke.forces.len(), "force"));
+            format!("smoke of {emitters}, moved by {forces}")
+        }
+    }
+}
+
+fn style_words(style: &Style) -> String {
+    let tones = match &style.ramp {
+        Ramp::Tones(tones) => {
+            let colours: Vec<String> = tones.iter().map(|tone| hex(tone.colour.to_srgb8())).collect();
+            format!("tones {}", colours.join(" "))
+        }
+        Ramp::Image(path) => format!("ramp {path}"),
+    };
+    let ink = match (style.ink.on, style.ink.width) {
+        (false, _) => "no ink".to_owned(),
+        (true, Width::Px(px)) => format!("ink {} {px} px wide", hex(style.ink.colour.to_srgb8())),
+        (true, Width::World(metres)) => format!("ink {} {metres} m wide", hex(style.ink.colour.to_srgb8())),
+    };
+    format!("{tones}; {ink}; {}", if style.shadow.on { "shadows" } else { "no shadows" })
+}
