@@ -72,9 +72,13 @@ impl SceneFolder {
             read_at_most(&place, limit)
         };
         // The message that this becomes part of has the name as the scene writes it; say where it led.
-        read().map_err(|error| match place.as_path() == Path::new(path) {
-            true => error,
-            false => io::Error::new(error.kind(), format!("{}: {error}", place.display())),
+        read().map_err(|error| {
+            let is_said = place == Path::new(path);
+            if is_said {
+                error
+            } else {
+                io::Error::new(error.kind(), format!("{}: {error}", place.display()))
+            }
         })
     }
 }

@@ -1,6 +1,8 @@
 //! A scene on the graphics device, and pictures of it.
 
 use crate::pending::{Layer, Pending as _};
+use std::path::Path;
+
 use anyhow::Context as _;
 use fumetto::{Engine, Player, Shot};
 use fumetto_formats::{Image, is_sequence};
@@ -20,26 +22,29 @@ pub(crate) struct Stage {
     engine: Engine,
     player: Player,
     trouble: Trouble,
+    /// The scene file's name.
+    name: String,
     /// The frame that it is at.
     frame: u32,
     reads_sequences: bool,
 }
 
 impl Stage {
-    /// Opens the device and takes the scene to its beginning; `name` is the scene file's.
-    pub(crate) fn new(name: &str, scene: Scene, folder: SceneFolder) -> anyhow::Result<Self> {
+    /// Opens the device and takes the scene to its beginning; `path` is the scene file's.
+    pub(crate) fn new(path: &Path, scene: Scene, folder: SceneFolder) -> anyhow::Result<Self> {
+        let name = path.display().to_string();
         let (gpu, trouble) = gpu::open()?;
         let engine = Engine::new(gpu);
         let reads_sequences = scene
             .objects
             .iter()
             .any(|object| matches!(&object.matter, Matter::File(path) if is_sequence(path)));
-        let player = engine.play(scene, Box::new(folder)).with_context(|| name.to_owned())?;
+        let player = engine.play(scene, Box::new(folder)).with_context(|| name.clone())?;
         trouble.check()?;
         for note in player.notes() {
             console::say(&format!("note: {note}"));
         }
-        Ok(Self { engine, player, trouble, frame: 0, reads_sequences })
+        Ok(Self { engine, player, trouble, name, frame: 0, reads_sequences })
     }
 
     /// The graphics adapter in words.
@@ -57,7 +62,7 @@ impl Stage {
                 interrupt.check()?;
             }
         }
-        self.engine.seek(&mut self.player, frame)?;
+        self.engine.seek(&mut self.player, frame).with_context(|| self.name.clone())?;
         self.frame = frame;
         self.trouble.check()
     }

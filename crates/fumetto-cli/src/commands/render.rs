@@ -21,7 +21,7 @@ pub(crate) fn run(args: &RenderArgs) -> anyhow::Result<ExitCode> {
     let mut stage = if everything_is_done {
         None
     } else {
-        Some(Stage::new(&args.scene.scene.display().to_string(), opened.scene, opened.folder)?)
+        Some(Stage::new(&args.scene.scene, opened.scene, opened.folder)?)
     };
 
     let mut progress = Progress::new(&plan, args.json);

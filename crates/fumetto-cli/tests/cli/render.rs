@@ -143,3 +143,18 @@ fn files_are_looked_for_beside_the_scene() {
     assert_eq!(folder.bytes("cloud.0.png"), folder.bytes("cloud.5.png"));
     folder.run(&["check", "shots/cloud.toml"]).ends(0);
 }
+
+#[test]
+fn what_was_drawn_before_a_missing_file_stays() {
+    let folder = Folder::with_smoke();
+    for frame in [0, 2] {
+        folder.put(&format!("cloud.{frame}.csv"), format!("x,y,z,radius\n0,1,0,0.{}\n", frame + 3));
+    }
+    let start = SMOKE.find("[[object]]").unwrap();
+    let object = "[[object]]\nname = \"cloud\"\nkind = \"cloud\"\nparticles = \"cloud.#.csv\"\n";
+    folder.put("cloud.toml", format!("{}{object}", &SMOKE[..start]));
+    let ran = folder.run(&["render", "cloud.toml", "-o", "s.#.png"]).ends(1);
+    ran.says(&["cloud.toml: cannot read `cloud.4.csv`: No such file"]);
+    assert_ne!(folder.bytes("s.0.png"), folder.bytes("s.3.png"));
+    assert!(!folder.path("s.4.png").exists());
+}
