@@ -43,7 +43,7 @@ fn draw(text: &mut String, table: &Table, adapter: &str) -> Result<(), Box<dyn s
         .margin(16)
         .x_label_area_size(44)
         .y_label_area_size(64)
-        .build_cartesian_2d(sizes.clone().log_scale(), times.log_scale())?;
+        .build_cartesian_2d(sizes.clone().log_scale(), times.clone().log_scale())?;
     chart
         .configure_mesh()
         .x_desc(table.subsystem.counted)
@@ -52,7 +52,7 @@ fn draw(text: &mut String, table: &Table, adapter: &str) -> Result<(), Box<dyn s
         .y_label_formatter(&|ms| millis(*ms))
         .draw()?;
 
-    let guide = linear_guide(&lines, sizes.end);
+    let guide = linear_guide(&lines, sizes.end, times.end);
     chart.draw_series(DashedLineSeries::new(guide, 4, 4, BLACK.mix(0.4).stroke_width(1)))?;
     for ((line, name), colour) in lines.iter().zip(&table.variants).zip(COLOURS.into_iter().cycle()) {
         chart
@@ -62,7 +62,7 @@ fn draw(text: &mut String, table: &Table, adapter: &str) -> Result<(), Box<dyn s
     }
     chart
         .configure_series_labels()
-        .position(SeriesLabelPosition::UpperLeft)
+        .position(SeriesLabelPosition::LowerRight)
         .background_style(WHITE.mix(0.85))
         .border_style(BLACK.mix(0.3))
         .draw()?;
@@ -81,11 +81,14 @@ fn span(values: impl Iterator<Item = f64> + Clone) -> Range<f64> {
     least / 1.3..greatest * 1.3
 }
 
-/// Linear growth from the dearest variant's first point: lines that are no steeper grow no faster.
-fn linear_guide(lines: &[Points], end: f64) -> Points {
+/// Linear growth from the dearest variant's first point to where it leaves the plot: lines that are no
+/// steeper grow no faster.
+fn linear_guide(lines: &[Points], last_size: f64, most_ms: f64) -> Points {
     let firsts = lines.iter().filter_map(|line| line.first());
-    let start = firsts.max_by(|a, b| a.1.total_cmp(&b.1));
-    start.map_or_else(Vec::new, |&(size, ms)| vec![(size, ms), (end, ms * end / size)])
+    let Some(&(size, ms)) = firsts.max_by(|a, b| a.1.total_cmp(&b.1)) else { return Vec::new() };
+    // plotters would bend a line that leaves the plot along its edge.
+    let factor = (last_size / size).min(most_ms / ms);
+    vec![(size, ms), (size * factor, ms * factor)]
 }
 
 #[cfg(test)]
@@ -101,6 +104,13 @@ mod tests {
         for word in ["Some Card", "puffs", "milliseconds", "body", "body+ink", "1,000", "10,000"] {
             assert!(text.contains(word), "{word}");
         }
+    }
+
+    #[test]
+    fn the_guide_is_linear_and_stays_inside() {
+        let lines = [vec![(10.0, 1.0), (1000.0, 2.0)], vec![(10.0, 4.0), (1000.0, 40.0)]];
+        assert_eq!(linear_guide(&lines, 1000.0, 40.0), [(10.0, 4.0), (100.0, 40.0)]);
+        assert_eq!(linear_guide(&lines, 50.0, 40.0), [(10.0, 4.0), (50.0, 20.0)]);
     }
 
     #[test]
