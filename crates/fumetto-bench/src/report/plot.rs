@@ -46,6 +46,7 @@ fn draw(text: &mut String, table: &Table, adapter: &str) -> Result<(), Box<dyn s
         .build_cartesian_2d(sizes.clone().log_scale(), times.clone().log_scale())?;
     chart
         .configure_mesh()
+        .max_light_lines(1)
         .x_desc(table.subsystem.counted)
         .y_desc("milliseconds")
         .x_label_formatter(&|size| thousands(*size as u32))
