@@ -12,23 +12,107 @@ const PROGRAMS: &[(&str, &[&str])] = &[
     ("gpu/compact", &["gpu/compact"]),
     ("particles/step", &["gpu/random", "gpu/noise", "particles/state", "particles/air", "particles/step"]),
     ("shapes/puffs/atlas", &["gpu/fullscreen", "shapes/puffs/atlas"]),
-    ("shapes/puffs/mip", &["gpu/fullscreen", "shapes/puffs/mip"]),
-    ("shapes/puffs/present", &["gpu/random", "particles/state", "shapes/puffs/puff", "shapes/puffs/look", "shapes/puffs/present"]),
-    ("shapes/puffs/occluders", &["gpu/view", "shapes/puffs/puff", "shapes/puffs/sprite", "shapes/puffs/pyramid", "shapes/puffs/occluders"]),
-    ("shapes/puffs/spread", &["shapes/puffs/pyramid", "shapes/puffs/spread"]),
-    ("shapes/puffs/cull", &["gpu/view", "object", "shapes/puffs/puff", "shapes/puffs/sprite", "shapes/puffs/pyramid", "shapes/puffs/visible", "ink/width", "shapes/puffs/cull"]),
+    (
+        "shapes/puffs/present",
+        &["gpu/random", "particles/state", "shapes/puffs/puff", "shapes/puffs/look", "shapes/puffs/present"],
+    ),
+    (
+        "shapes/puffs/front",
+        &[
+            "gpu/view",
+            "object",
+            "shapes/puffs/puff",
+            "shapes/puffs/sprite",
+            "shapes/puffs/pyramid",
+            "shapes/puffs/front",
+        ],
+    ),
+    ("shapes/puffs/reduce", &["shapes/puffs/pyramid", "shapes/puffs/reduce"]),
+    (
+        "shapes/puffs/cull",
+        &[
+            "gpu/view",
+            "object",
+            "shapes/puffs/puff",
+            "shapes/puffs/sprite",
+            "shapes/puffs/pyramid",
+            "shapes/puffs/visible",
+            "ink/width",
+            "shapes/puffs/cull",
+        ],
+    ),
     ("shapes/puffs/form", &["object", "shapes/puffs/puff", "shapes/puffs/form_grid", "shapes/puffs/form"]),
-    ("shapes/puffs/body", &["gpu/view", "shapes/puffs/puff", "shapes/puffs/sprite", "shapes/puffs/billboard", "shapes/puffs/body"]),
-    ("shapes/puffs/normal", &["gpu/view", "gpu/fullscreen", "object", "shapes/puffs/puff", "shapes/puffs/sprite", "shapes/puffs/billboard", "shapes/puffs/form_grid", "shapes/puffs/normal"]),
-    ("light/casters", &["gpu/view", "object", "shapes/puffs/puff", "shapes/puffs/pyramid", "shapes/puffs/visible", "light/lights", "light/sweep", "light/casters"]),
+    (
+        "shapes/puffs/body",
+        &[
+            "gpu/view",
+            "shapes/puffs/puff",
+            "shapes/puffs/sprite",
+            "shapes/puffs/billboard",
+            "shapes/puffs/body",
+        ],
+    ),
+    (
+        "shapes/puffs/normal",
+        &[
+            "gpu/view",
+            "gpu/fullscreen",
+            "object",
+            "shapes/puffs/puff",
+            "shapes/puffs/sprite",
+            "shapes/puffs/billboard",
+            "shapes/puffs/form_grid",
+            "shapes/puffs/normal",
+        ],
+    ),
+    (
+        "light/casters",
+        &[
+            "gpu/view",
+            "object",
+            "shapes/puffs/puff",
+            "shapes/puffs/pyramid",
+            "shapes/puffs/visible",
+            "light/lights",
+            "light/sweep",
+            "light/casters",
+        ],
+    ),
     ("light/flatten", &["gpu/fullscreen", "light/flatten"]),
-    ("light/volume", &["gpu/view", "object", "shapes/puffs/puff", "shapes/puffs/billboard", "light/lights", "light/sweep", "light/volume"]),
+    (
+        "light/volume",
+        &[
+            "gpu/view",
+            "object",
+            "shapes/puffs/puff",
+            "shapes/puffs/billboard",
+            "light/lights",
+            "light/sweep",
+            "light/volume",
+        ],
+    ),
     ("light/shadowed", &["gpu/fullscreen", "light/shadowed"]),
+    ("light/settle", &["gpu/fullscreen", "light/settle"]),
     ("light/soften", &["gpu/fullscreen", "light/soften"]),
-    ("ink/outline", &["gpu/view", "object", "shapes/puffs/puff", "shapes/puffs/sprite", "shapes/puffs/billboard", "light/lights", "ink/width", "ink/outline"]),
+    (
+        "ink/outline",
+        &[
+            "gpu/view",
+            "object",
+            "shapes/puffs/puff",
+            "shapes/puffs/sprite",
+            "shapes/puffs/billboard",
+            "light/lights",
+            "ink/width",
+            "ink/outline",
+        ],
+    ),
     ("ink/share", &["gpu/fullscreen", "ink/share"]),
     ("ink/around", &["gpu/fullscreen", "ink/around"]),
-    ("tone/flat", &["gpu/view", "gpu/fullscreen", "object", "shapes/puffs/puff", "light/lights", "tone/flat"]),
+    (
+        "tone/flat",
+        &["gpu/view", "gpu/fullscreen", "object", "shapes/puffs/puff", "light/lights", "tone/flat"],
+    ),
     ("tone/compose", &["gpu/fullscreen", "object", "tone/compose"]),
 ];
 
@@ -76,7 +160,9 @@ impl Program {
             .map_err(|error| self.place(error.location(&self.text), error.message()))?;
         Validator::new(ValidationFlags::all(), Capabilities::default()).validate(&module).map(|_| ()).map_err(
             |error| {
-                let causes = std::iter::successors(std::error::Error::source(error.as_inner()), |cause| cause.source());
+                let causes = std::iter::successors(std::error::Error::source(error.as_inner()), |cause| {
+                    cause.source()
+                });
                 let message = causes.fold(error.to_string(), |text, cause| format!("{text}: {cause}"));
                 self.place(error.location(&self.text), &message)
             },
@@ -87,7 +173,8 @@ impl Program {
     fn place(&self, location: Option<naga::SourceLocation>, message: &str) -> String {
         let Some(location) = location else { return message.to_owned() };
         let line = location.line_number - 1;
-        let (module, start) = self.starts.iter().rfind(|(_, start)| *start <= line).expect("the first module starts at 0");
+        let (module, start) =
+            self.starts.iter().rfind(|(_, start)| *start <= line).expect("the first module starts at 0");
         format!("src/{module}.wgsl:{}:{}: {message}", line - start + 1, location.line_position)
     }
 }

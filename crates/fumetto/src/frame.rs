@@ -10,9 +10,13 @@ use crate::{
     layers::Layers,
     light::{LightsUniform, Shadows, Soften, Stencil},
     object::ObjectStyle,
-    shapes::puffs::{BODY, Body, Form, INK, Normal, Occlusion, PuffScene, Pyramid, VERTICES},
+    shapes::puffs::{Body, FRONT, Form, INK, Normal, Occlusion, PuffScene, Pyramid, REST, VERTICES},
     tone::{CEL_FORMAT, Compose, Flat, Under},
 };
+
+/// Shadows are cleaned over this many times the length that tones are: their specks come of single puffs,
+/// which are larger than the bumps on them.
+const SETTLE: f32 = 3.0;
 
 /// All passes of a picture.
 pub(crate) struct Painter {
@@ -35,9 +39,9 @@ struct Room {
     count: u32,
     pyramid: Pyramid,
     flags: wgpu::Buffer,
-    bodies: DrawList,
+    /// For one pass after another.
+    list: DrawList,
     inks: DrawList,
-    casters: DrawList,
 }
 
 /// What all cels of one picture share.
@@ -97,7 +101,7 @@ impl Painter {
             let is_last = index + 1 == cels.len();
             let next = (!is_last).then(|| frame.texture("frame.picture", shot.size, CEL_FORMAT));
             let to = next.as_deref().unwrap_or(target);
-            let layers = self.paint_cel(&mut frame, &setting, opaque.as_ref(), index == 0, under, to);
+            let layers = self.paint_cel(&mut frame, &setting, opaque.as_ref(), under, to);
             frame.submit();
             // Transparent cels are drawn over the opaque one, and are hidden by it where it is nearer.
             opaque = opaque.or(Some(layers));
@@ -111,7 +115,6 @@ impl Painter {
         frame: &mut Frame<'_>,
         setting: &Setting<'_>,
         opaque: Option<&Layers>,
-        is_first: bool,
         under: Under<'_>,
         target: &wgpu::TextureView,
     ) -> Layers {
@@ -121,26 +124,30 @@ impl Painter {
         let lights = frame.uniform("frame.lights", &setting.lights);
         let step = if setting.clean_px() >= 2.0 { 2 } else { 1 };
 
-        if is_first {
+        if opaque.is_none() {
             self.form.record(frame, scene);
         }
-        self.occlusion.record(frame, &view, scene, &room.pyramid, &room.flags);
-        self.compact.record(frame, &room.flags, scene.count, BODY, VERTICES, &room.bodies);
+        let layers = Layers::new(frame, setting.view.size);
+        layers.begin(frame, opaque);
+        self.occlusion.front(frame, &view, scene, &room.pyramid, &room.flags);
+        self.compact.record(frame, &room.flags, scene.count, FRONT, VERTICES, &room.list);
+        self.body.record(frame, &view, scene, &room.list, layers.target());
+        self.occlusion.rest(frame, &view, scene, &room.pyramid, &room.flags, &layers.depth);
+        self.compact.record(frame, &room.flags, scene.count, REST, VERTICES, &room.list);
+        self.body.record(frame, &view, scene, &room.list, layers.target());
         self.compact.record(frame, &room.flags, scene.count, INK, VERTICES, &room.inks);
 
-        let layers = Layers::new(frame, setting.view.size);
-        let target_layers = layers.target(frame, opaque);
-        self.body.record(frame, &view, scene, &room.bodies, target_layers);
         let normal = self.normal.record(frame, &view, scene, &layers, step);
         let stencil = Stencil {
             compact: &self.compact,
             flags: &room.flags,
-            list: &room.casters,
+            list: &room.list,
             pyramid: &room.pyramid,
-            step,
+            step: setting.stencil_step(),
+            settle: (SETTLE * setting.clean_px() / setting.stencil_step() as f32).round() as u32,
         };
         let shadow = self.shadows.record(frame, &view, (&setting.lights, &lights), scene, &layers, &stencil);
-        let (normal, shadow) = self.soften(frame, setting, (normal, shadow), step);
+        let normal = self.soften(frame, setting, normal, step);
         let cel = self.flat.record(
             frame,
             &view,
@@ -152,8 +159,16 @@ impl Painter {
             &setting.player.ramps,
         );
         let ink = self.outline.record(frame, &view, &lights, scene, &room.inks, &layers);
-        let around = self.gather.record(frame, &ink, layers.size, 4 * setting.samples);
-        self.compose.record(frame, scene, &cel, (&ink, &around), under, setting.samples, target);
+        let around = self.gather.record(frame, &ink, layers.size, setting.ink_length_px());
+        self.compose.record(
+            frame,
+            scene,
+            &cel,
+            (&ink, &around),
+            under,
+            (setting.samples, opaque.is_none()),
+            target,
+        );
         layers
     }
 
@@ -161,11 +176,11 @@ impl Painter {
         &self,
         frame: &mut Frame<'_>,
         setting: &Setting<'_>,
-        layers: (Transient, Transient),
+        normal: Transient,
         step: u32,
-    ) -> (Transient, Transient) {
+    ) -> Transient {
         let radius = (setting.clean_px() / step as f32).round() as u32;
-        if radius == 0 { layers } else { self.soften.record(frame, &setting.view, layers, radius, step) }
+        if radius == 0 { normal } else { self.soften.record(frame, &setting.view, normal, radius, step) }
     }
 
     fn make_room(&mut self, gpu: &Gpu, scene: &PuffScene, size: [u32; 2]) {
@@ -178,18 +193,33 @@ impl Painter {
                 flags: gpu.device.create_buffer(&wgpu::BufferDescriptor {
                     label: Some("frame.flags"),
                     size: u64::from(scene.count.max(4)) * 4,
-                    usage: wgpu::BufferUsages::STORAGE,
+                    usage: wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC,
                     mapped_at_creation: false,
                 }),
-                bodies: list("frame.bodies"),
+                list: list("frame.list"),
                 inks: list("frame.inks"),
-                casters: list("frame.casters"),
             });
         }
     }
 }
 
 impl Setting<'_> {
+    /// Length of the shortest line that any object keeps, in samples.
+    fn ink_length_px(&self) -> f32 {
+        let objects = (0..).zip(&self.player.scene().objects);
+        let style = |(index, object)| ObjectStyle::new(object, index, self.view.size[1], true);
+        objects.map(|object| style(object).shortest_line_px()).fold(0.0, f32::max)
+    }
+
+    /// Samples to one of the stencil's: shadows need not be finer than the least tone.
+    fn stencil_step(&self) -> u32 {
+        match self.clean_px() {
+            fine if fine < 1.5 => 1,
+            medium if medium < 3.0 => 2,
+            _ => 4,
+        }
+    }
+
     /// Least size of a tone's shape, in samples: the largest that any object wants.
     fn clean_px(&self) -> f32 {
         let scale = |height_px| self.view.size[1] as f32 / height_px;

@@ -29,14 +29,20 @@ impl Layers {
         }
     }
 
-    /// Where shapes draw: into nothing, or into what is behind the surfaces of `nearer`.
-    pub(crate) fn target<'a>(&'a self, frame: &mut Frame<'_>, nearer: Option<&Layers>) -> Target<'a> {
+    /// Empties the layers; only what lies before the surfaces of `nearer` will be drawn.
+    pub(crate) fn begin(&self, frame: &mut Frame<'_>, nearer: Option<&Self>) {
         if let Some(nearer) = nearer {
             let (from, to) = (nearer.depth.texture(), self.depth.texture());
             frame.encoder.copy_texture_to_texture(from.as_image_copy(), to.as_image_copy(), from.size());
         }
         let clear = nearer.is_none().then_some(0.0);
-        Target::colour(&self.id, Some(wgpu::Color::TRANSPARENT)).with_depth(&self.depth, clear)
+        let target = Target::colour(&self.id, Some(wgpu::Color::TRANSPARENT)).with_depth(&self.depth, clear);
+        frame.clear("layers.begin", target);
+    }
+
+    /// Where shapes draw.
+    pub(crate) fn target(&self) -> Target<'_> {
+        Target::colour(&self.id, None).with_depth(&self.depth, None)
     }
 }
 

@@ -61,4 +61,9 @@ impl ObjectStyle {
             pad: [0.0; 2],
         }
     }
+
+    /// Length of the shortest line that is kept.
+    pub(crate) fn shortest_line_px(&self) -> f32 {
+        self.ink_shortest_px
+    }
 }

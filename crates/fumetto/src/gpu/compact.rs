@@ -54,7 +54,8 @@ impl DrawList {
 impl Compact {
     pub(crate) fn new(gpu: &Gpu) -> Self {
         let slots = [Slot::Uniform, Slot::Read, Slot::Write, Slot::Write, Slot::Write];
-        let [count, scan, scatter] = kernels(gpu, shader!("gpu/compact"), &slots, ["count", "scan", "scatter"]);
+        let [count, scan, scatter] =
+            kernels(gpu, shader!("gpu/compact"), &slots, ["count", "scan", "scatter"]);
         Self { count, scan, scatter }
     }
 
@@ -69,7 +70,8 @@ impl Compact {
         vertices: u32,
         list: &DrawList,
     ) {
-        let uniform = frame.uniform("gpu.compact.uniform", &CompactionUniform { items, mask, vertices, pad: 0 });
+        let uniform =
+            frame.uniform("gpu.compact.uniform", &CompactionUniform { items, mask, vertices, pad: 0 });
         let bindings = [
             uniform.as_entire_binding(),
             flags.as_entire_binding(),

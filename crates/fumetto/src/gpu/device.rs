@@ -18,7 +18,9 @@ pub struct Gpu {
 #[derive(Debug, Error)]
 pub enum GpuError {
     /// No driver offers what is needed.
-    #[error("no Vulkan, Metal, Direct3D 12 or WebGPU driver was found ({0}); `fumetto doctor` says what to install")]
+    #[error(
+        "no Vulkan, Metal, Direct3D 12 or WebGPU driver was found ({0}); `fumetto doctor` says what to install"
+    )]
     NoAdapter(#[from] wgpu::RequestAdapterError),
     /// The driver refused.
     #[error("the graphics driver refused a device: {0}")]
@@ -55,7 +57,10 @@ impl Gpu {
     /// # Errors
     /// When the device is lost.
     pub fn wait(&self) -> Result<(), GpuError> {
-        self.device.poll(wgpu::PollType::wait_indefinitely()).map(|_| ()).map_err(|error| GpuError::Lost(error.to_string()))
+        self.device
+            .poll(wgpu::PollType::wait_indefinitely())
+            .map(|_| ())
+            .map_err(|error| GpuError::Lost(error.to_string()))
     }
 }
 
@@ -67,4 +72,14 @@ pub(crate) fn workgroups(items: u32) -> [u32; 3] {
     let groups = items.div_ceil(WORKGROUP).max(1);
     let rows = groups.div_ceil(65_535);
     [groups.div_ceil(rows), rows, 1]
+}
+
+/// A sampler that filters and clamps.
+pub(crate) fn linear_sampler(gpu: &Gpu) -> wgpu::Sampler {
+    gpu.device.create_sampler(&wgpu::SamplerDescriptor {
+        label: Some("gpu.linear"),
+        mag_filter: wgpu::FilterMode::Linear,
+        min_filter: wgpu::FilterMode::Linear,
+        ..Default::default()
+    })
 }

@@ -12,6 +12,8 @@ pub(crate) enum Slot {
     Write,
     /// A 3-D texture of half floats that is written.
     WriteTexture3d,
+    /// A depth texture that is read.
+    Depth,
 }
 
 impl Slot {
@@ -21,6 +23,11 @@ impl Slot {
             Self::Uniform => buffer(wgpu::BufferBindingType::Uniform),
             Self::Read => buffer(wgpu::BufferBindingType::Storage { read_only: true }),
             Self::Write => buffer(wgpu::BufferBindingType::Storage { read_only: false }),
+            Self::Depth => wgpu::BindingType::Texture {
+                sample_type: wgpu::TextureSampleType::Depth,
+                view_dimension: wgpu::TextureViewDimension::D2,
+                multisampled: false,
+            },
             Self::WriteTexture3d => wgpu::BindingType::StorageTexture {
                 access: wgpu::StorageTextureAccess::WriteOnly,
                 format: wgpu::TextureFormat::Rgba16Float,

@@ -10,10 +10,12 @@ mod shader;
 mod view;
 
 pub use device::{Gpu, GpuError};
+#[cfg(test)]
+pub(crate) use readback::read_buffer;
 pub use readback::read_texture;
 
 pub(crate) use compact::{Compact, DrawList};
-pub(crate) use device::workgroups;
+pub(crate) use device::{linear_sampler, workgroups};
 pub(crate) use kernels::{Slot, kernels};
 pub(crate) use pass::{Frame, RasterPipeline, Target};
 pub(crate) use pool::{TexturePool, Transient};

@@ -62,7 +62,8 @@ impl<'a> Target<'a> {
 
 impl<'a> Frame<'a> {
     pub(crate) fn new(gpu: &'a Gpu, pool: &'a TexturePool, label: &str) -> Self {
-        let encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some(label) });
+        let encoder =
+            gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some(label) });
         Self { gpu, pool, encoder }
     }
 
@@ -92,7 +93,12 @@ impl<'a> Frame<'a> {
     }
 
     /// A texture that goes back to the pool when it is dropped.
-    pub(crate) fn texture(&self, label: &'static str, size: [u32; 2], format: wgpu::TextureFormat) -> Transient {
+    pub(crate) fn texture(
+        &self,
+        label: &'static str,
+        size: [u32; 2],
+        format: wgpu::TextureFormat,
+    ) -> Transient {
         self.pool.take(&self.gpu.device, label, [size[0], size[1], 1], format)
     }
 
@@ -113,6 +119,11 @@ impl<'a> Frame<'a> {
         pass.dispatch_workgroups(groups[0], groups[1], groups[2]);
     }
 
+    /// Clears a target and draws nothing.
+    pub(crate) fn clear(&mut self, label: &str, target: Target<'_>) {
+        drop(begin(&mut self.encoder, label, target));
+    }
+
     /// Draws. Bindings are numbered from 0 in the order given.
     pub(crate) fn raster(
         &mut self,
@@ -123,21 +134,7 @@ impl<'a> Frame<'a> {
         draw: impl FnOnce(&mut wgpu::RenderPass<'_>),
     ) {
         let group = bind(&self.gpu.device, label, &pipeline.get_bind_group_layout(0), bindings);
-        let colours: Vec<_> = target
-            .colours
-            .iter()
-            .map(|&(view, clear)| {
-                let load = clear.map_or(wgpu::LoadOp::Load, wgpu::LoadOp::Clear);
-                let ops = wgpu::Operations { load, store: wgpu::StoreOp::Store };
-                Some(wgpu::RenderPassColorAttachment { view, depth_slice: None, resolve_target: None, ops })
-            })
-            .collect();
-        let mut pass = self.encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
-            label: Some(label),
-            color_attachments: &colours,
-            depth_stencil_attachment: target.depth,
-            ..Default::default()
-        });
+        let mut pass = begin(&mut self.encoder, label, target);
         pass.set_pipeline(pipeline);
         pass.set_bind_group(0, &group, &[]);
         draw(&mut pass);
@@ -153,6 +150,24 @@ impl<'a> Frame<'a> {
     ) {
         self.raster(label, pipeline, target, bindings, |pass| pass.draw(0..3, 0..1));
     }
+}
+
+fn begin<'e>(encoder: &'e mut wgpu::CommandEncoder, label: &str, target: Target<'_>) -> wgpu::RenderPass<'e> {
+    let colours: Vec<_> = target
+        .colours
+        .iter()
+        .map(|&(view, clear)| {
+            let load = clear.map_or(wgpu::LoadOp::Load, wgpu::LoadOp::Clear);
+            let ops = wgpu::Operations { load, store: wgpu::StoreOp::Store };
+            Some(wgpu::RenderPassColorAttachment { view, depth_slice: None, resolve_target: None, ops })
+        })
+        .collect();
+    encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+        label: Some(label),
+        color_attachments: &colours,
+        depth_stencil_attachment: target.depth,
+        ..Default::default()
+    })
 }
 
 fn bind(
@@ -176,11 +191,13 @@ pub(crate) struct RasterPipeline<'a> {
     pub(crate) depth: Option<wgpu::DepthStencilState>,
     /// Channels that are written.
     pub(crate) write_mask: wgpu::ColorWrites,
+    /// Values of the fragment shader's `override` constants.
+    pub(crate) constants: &'a [(&'a str, f64)],
 }
 
 impl Default for RasterPipeline<'_> {
     fn default() -> Self {
-        Self { label: "", targets: &[], depth: None, write_mask: wgpu::ColorWrites::ALL }
+        Self { label: "", targets: &[], depth: None, write_mask: wgpu::ColorWrites::ALL, constants: &[] }
     }
 }
 
@@ -207,7 +224,10 @@ impl RasterPipeline<'_> {
             fragment: Some(wgpu::FragmentState {
                 module,
                 entry_point: Some("fragment"),
-                compilation_options: wgpu::PipelineCompilationOptions::default(),
+                compilation_options: wgpu::PipelineCompilationOptions {
+                    constants: self.constants,
+                    ..Default::default()
+                },
                 targets: &targets,
             }),
             multiview_mask: None,

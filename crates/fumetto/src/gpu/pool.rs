@@ -39,8 +39,13 @@ impl TexturePool {
     ) -> Transient {
         let mut shelf = self.shelf.lock().unwrap_or_else(PoisonError::into_inner);
         let extent = wgpu::Extent3d { width: size[0], height: size[1], depth_or_array_layers: size[2] };
-        let found = shelf.iter().position(|s| s.texture.texture.size() == extent && s.texture.texture.format() == format);
-        let texture = found.map_or_else(|| Arc::new(Texture::new(device, label, extent, format)), |i| shelf.swap_remove(i).texture);
+        let found = shelf
+            .iter()
+            .position(|s| s.texture.texture.size() == extent && s.texture.texture.format() == format);
+        let texture = found.map_or_else(
+            || Arc::new(Texture::new(device, label, extent, format)),
+            |i| shelf.swap_remove(i).texture,
+        );
         Transient { texture, pool: self.clone() }
     }
 

@@ -3,7 +3,9 @@ macro_rules! shader {
     ($name:literal) => {
         wgpu::ShaderModuleDescriptor {
             label: Some($name),
-            source: wgpu::ShaderSource::Wgsl(include_str!(concat!(env!("OUT_DIR"), "/", $name, ".wgsl")).into()),
+            source: wgpu::ShaderSource::Wgsl(
+                include_str!(concat!(env!("OUT_DIR"), "/", $name, ".wgsl")).into(),
+            ),
         }
     };
 }

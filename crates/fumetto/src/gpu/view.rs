@@ -18,7 +18,6 @@ pub(crate) struct ViewUniform {
     size_px: [f32; 2],
     pub(crate) focal_px: f32,
     near: f32,
-
 }
 
 impl View {

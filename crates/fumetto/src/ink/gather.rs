@@ -41,8 +41,16 @@ impl Gather {
         }
     }
 
-    /// Sums `ink`, a layer of `size`, in cells of `cell` pixels.
-    pub(crate) fn record(&self, frame: &mut Frame<'_>, ink: &Transient, size: [u32; 2], cell: u32) -> InkAround {
+    /// Sums `ink`, a layer of `size`, in windows about twice as wide as `length_px`: a line of that length
+    /// is all inside one around its middle, and half of a longer one is inside one around its end.
+    pub(crate) fn record(
+        &self,
+        frame: &mut Frame<'_>,
+        ink: &Transient,
+        size: [u32; 2],
+        length_px: f32,
+    ) -> InkAround {
+        let cell = ((2.0 * length_px / WINDOW_CELLS as f32).round() as u32).clamp(2, 64);
         let cells = size.map(|pixels| pixels.div_ceil(cell));
         let share = frame.texture("ink.share", cells, FORMAT);
         let uniform = frame.uniform("ink.share.uniform", &[cell, 0, 0, 0]);

@@ -18,15 +18,16 @@ struct Corner {
     @builtin(position) position: vec4f,
     // In the puff's own frame.
     @location(0) p: vec2f,
-    // Where the light comes from in the puff's own frame (0 to 1 long), level of the atlas.
-    @location(1) @interpolate(flat) light: vec3f,
+    // Where the light comes from in the puff's own frame (0 to 1 long).
+    @location(1) @interpolate(flat) light: vec2f,
     // Widths of an outline and of an inner line and erosion, all in the puff's margin; share of the
     // width that goes where it is lit.
     @location(2) @interpolate(flat) width: vec4f,
     // Distance of the billboard, distance behind it at which lines have their full width.
     @location(3) @interpolate(flat) taper: vec2f,
-    // Object + 1, variant.
-    @location(4) @interpolate(flat) id: vec2u,
+    // Object + 1.
+    @location(4) @interpolate(flat) id: u32,
+    @location(5) uv: vec2f,
 }
 
 @vertex
@@ -44,22 +45,25 @@ fn vertex(@builtin(vertex_index) index: u32) -> Corner {
         light = puff_from_px(vec2f(direction.x, -direction.y), 1.0, rotation);
     }
     let width = width_px / sprite.radius_px;
+    let p = puff_from_px(offset, sprite.radius_px, rotation);
     return Corner(
         clip_of(sprite.px + offset, depth_of(distance)),
-        puff_from_px(offset, sprite.radius_px, rotation),
-        vec3f(light, atlas_level(sprite.radius_px, atlas)),
+        p,
+        light,
         vec4f(width, width * style.ink_inner, puff_fade(puff).x, style.ink_lit_thinning),
         vec2f(distance, puff.radius),
-        vec2u(puff_object(puff) + 1u, puff_variant(puff)),
+        puff_object(puff) + 1u,
+        atlas_uv(p, f32(puff_variant(puff)), atlas_level(sprite.radius_px, atlas), atlas),
     );
 }
 
 @fragment
 fn fragment(corner: Corner) -> @location(0) u32 {
-    let uv = atlas_uv(corner.p, f32(corner.id.y), corner.light.z, atlas);
-    let outside = max(abs(corner.p) - TILE_EXTENT, vec2f(0.0));
-    let margin = textureSampleLevel(atlas_texture, atlas_sampler, uv, corner.light.z).w - length(outside);
-    let lit = max(dot(corner.p, corner.light.xy) / max(length(corner.p), 1e-3), 0.0);
+    let texel = textureSampleLevel(atlas_texture, atlas_sampler, corner.uv, 0.0);
+    // Farther out than the atlas tells, a puff is much like a disc.
+    let outside = texel.w < 0.01 || any(abs(corner.p) > vec2f(TILE_EXTENT - 0.05));
+    let margin = select(texel_margin(texel), 0.9 - length(corner.p), outside);
+    let lit = max(dot(corner.p, corner.light) / max(length(corner.p), 1e-3), 0.0);
     let at = vec2i(corner.position.xy);
     var width = corner.width.x * (1.0 - corner.width.w * lit);
     if textureLoad(id_layer, at, 0).x != 0u {
@@ -70,5 +74,5 @@ fn fragment(corner: Corner) -> @location(0) u32 {
     if margin <= corner.width.z - width {
         discard;
     }
-    return corner.id.x;
+    return corner.id;
 }

@@ -1,5 +1,13 @@
 // Finds the puffs whose shadow volume can touch anything that is seen.
 
+// Bits of a puff's flags: its volume lies before the camera, or reaches about it.
+const AHEAD: u32 = 1u;
+const ABOUT: u32 = 2u;
+
+// Pieces of a volume that are looked at one by one: the whole is as near as its nearest end, though most
+// of it lies deeper.
+const PIECES: u32 = 4u;
+
 struct Casters {
     count: u32,
     light: u32,
@@ -13,6 +21,23 @@ struct Casters {
 @group(0) @binding(6) var<storage, read> nearness: array<u32>;
 @group(0) @binding(7) var<storage, read_write> flags: array<u32>;
 
+fn touches(volume: Volume) -> bool {
+    let end = volume.middle + volume.axis * volume.last;
+    let from_px = px_of(volume.middle);
+    let to_px = px_of(end);
+    var seen = false;
+    for (var piece = 0u; piece < PIECES; piece++) {
+        let low = f32(piece) / f32(PIECES);
+        let high = f32(piece + 1u) / f32(PIECES);
+        let nearest = min(-mix(volume.middle.z, end.z, low), -mix(volume.middle.z, end.z, high)) - volume.radius;
+        let a = mix(from_px, to_px, low);
+        let b = mix(from_px, to_px, high);
+        let half = 0.5 * abs(b - a) + volume.radius * view.focal_px / nearest;
+        seen |= visible(0.5 * (a + b), half, nearest);
+    }
+    return seen;
+}
+
 @compute @workgroup_size(256)
 fn main(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: vec3u, @builtin(local_invocation_index) lane: u32) {
     let item = (group.y * groups.x + group.x) * 256u + lane;
@@ -25,8 +50,11 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: ve
     var casts = 0u;
     if puff.radius > 0.0 && fade.x < 1.0 && fade.y > 0.0 && (style.flags & THROWS_SHADOW) != 0u {
         let volume = volume_of(puff, style, lights.light[casters.light]);
-        let half = abs(volume.along_px) + abs(volume.side_px);
-        casts = u32(visible(volume.px, half, volume.nearest));
+        if volume.nearest <= view.near {
+            casts = ABOUT;
+        } else {
+            casts = select(0u, AHEAD, touches(volume));
+        }
     }
     flags[item] = casts;
 }

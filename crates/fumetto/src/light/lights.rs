@@ -53,8 +53,8 @@ impl LightsUniform {
 
     /// Numbers of the lights that throw shadows, and the channels they have.
     pub(crate) fn casting(&self) -> impl Iterator<Item = (u32, usize)> {
-        (0..).zip(&self.lights[..self.count as usize]).filter_map(|(index, light)| {
-            usize::try_from(light.channel).ok().map(|channel| (index, channel))
-        })
+        (0..)
+            .zip(&self.lights[..self.count as usize])
+            .filter_map(|(index, light)| usize::try_from(light.channel).ok().map(|channel| (index, channel)))
     }
 }

@@ -7,15 +7,21 @@
 
 use super::LightsUniform;
 use crate::{
-    gpu::{Compact, DrawList, Frame, Gpu, RasterPipeline, Slot, Target, Transient, kernels, shader, workgroups},
+    gpu::{
+        Compact, DrawList, Frame, Gpu, RasterPipeline, Slot, Target, Transient, kernels, shader, workgroups,
+    },
     layers::Layers,
     shapes::puffs::{Atlas, PuffScene, Pyramid},
 };
 
 const STENCIL_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth24PlusStencil8;
 
-/// A channel for each light: 1 where its light is kept away.
+/// A channel for each light: above one half where its light is kept away.
 pub(crate) const SHADOW_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
+
+/// Bits of a puff's flags. Also in `casters.wgsl`.
+const AHEAD: u32 = 1;
+const ABOUT: u32 = 2;
 
 /// Vertices of a shadow volume: two polygons of two triangles.
 const VERTICES: u32 = 12;
@@ -25,9 +31,11 @@ const VERTICES: u32 = 12;
 pub(crate) struct Shadows {
     casters: wgpu::ComputePipeline,
     flatten: wgpu::RenderPipeline,
-    volume: wgpu::RenderPipeline,
+    /// For volumes before the camera, and for those about it.
+    volumes: [wgpu::RenderPipeline; 2],
     /// One for each channel.
     shadowed: [wgpu::RenderPipeline; 4],
+    settle: wgpu::RenderPipeline,
 }
 
 /// What one frame's shadows are found with.
@@ -39,6 +47,8 @@ pub(crate) struct Stencil<'a> {
     pub(crate) pyramid: &'a Pyramid,
     /// Pixels of the picture to one of the stencil's.
     pub(crate) step: u32,
+    /// Texels of the stencil that the shadows' edges are smoothed over.
+    pub(crate) settle: u32,
 }
 
 #[repr(C)]
@@ -69,27 +79,40 @@ impl Shadows {
             depth: Some(stencil_state(true, wgpu::CompareFunction::Always, wgpu::StencilState::default())),
             ..Default::default()
         };
-        let volume = RasterPipeline {
-            label: "light.volume",
-            depth: Some(stencil_state(false, wgpu::CompareFunction::Greater, counting())),
-            ..Default::default()
-        };
+        let volume = module(shader!("light/volume"));
+        let volumes = [0.0, 1.0].map(|exact| {
+            let counting = RasterPipeline {
+                label: "light.volume",
+                depth: Some(stencil_state(false, wgpu::CompareFunction::Greater, counting())),
+                constants: &[("EXACT", exact)],
+                ..Default::default()
+            };
+            counting.build(device, &volume)
+        });
         let shadowed = module(shader!("light/shadowed"));
+        let settle =
+            RasterPipeline { label: "light.settle", targets: &[SHADOW_FORMAT], ..Default::default() };
         Self {
             casters,
             flatten: flatten.build(device, &module(shader!("light/flatten"))),
-            volume: volume.build(device, &module(shader!("light/volume"))),
-            shadowed: [wgpu::ColorWrites::RED, wgpu::ColorWrites::GREEN, wgpu::ColorWrites::BLUE, wgpu::ColorWrites::ALPHA]
-                .map(|write_mask| {
-                    let marking = RasterPipeline {
-                        label: "light.shadowed",
-                        targets: &[SHADOW_FORMAT],
-                        write_mask,
-                        depth: Some(stencil_state(false, wgpu::CompareFunction::Always, not_zero())),
-                        ..Default::default()
-                    };
-                    marking.build(device, &shadowed)
-                }),
+            volumes,
+            settle: settle.build(device, &module(shader!("light/settle"))),
+            shadowed: [
+                wgpu::ColorWrites::RED,
+                wgpu::ColorWrites::GREEN,
+                wgpu::ColorWrites::BLUE,
+                wgpu::ColorWrites::ALPHA,
+            ]
+            .map(|write_mask| {
+                let marking = RasterPipeline {
+                    label: "light.shadowed",
+                    targets: &[SHADOW_FORMAT],
+                    write_mask,
+                    depth: Some(stencil_state(false, wgpu::CompareFunction::Always, not_zero())),
+                    ..Default::default()
+                };
+                marking.build(device, &shadowed)
+            }),
         }
     }
 
@@ -116,13 +139,35 @@ impl Shadows {
         let mut clear = Some(wgpu::Color::TRANSPARENT);
         for (light, channel) in lights.0.casting() {
             self.find_casters(frame, view, (light, lights.1), scene, stencil);
-            self.count(frame, view, (light, lights.1), scene, stencil, &depth);
+            let mut clear_stencil = Some(0);
+            for (mask, volume) in [AHEAD, ABOUT].into_iter().zip(&self.volumes) {
+                stencil.compact.record(frame, stencil.flags, scene.count, mask, VERTICES, stencil.list);
+                let target = Target::default().with_stencil(&depth, None, clear_stencil.take());
+                count(frame, volume, view, (light, lights.1), scene, stencil, target);
+            }
             frame.fullscreen(
                 "light.shadowed",
                 &self.shadowed[channel],
                 Target::colour(&shadow, clear.take()).with_stencil(&depth, None, None),
                 &[],
             );
+        }
+        self.settle(frame, shadow, size, stencil.settle)
+    }
+
+    /// Smooths the shadows' edges over `radius` texels.
+    fn settle(&self, frame: &mut Frame<'_>, shadow: Transient, size: [u32; 2], radius: u32) -> Transient {
+        let mut shadow = shadow;
+        for axis in [[1, 0], [0, 1]] {
+            let to = frame.texture("light.shadow", size, SHADOW_FORMAT);
+            let uniform = frame.uniform("light.settle.uniform", &[axis[0], axis[1], radius as i32, 0]);
+            frame.fullscreen(
+                "light.settle",
+                &self.settle,
+                Target::colour(&to, Some(wgpu::Color::TRANSPARENT)),
+                &[uniform.as_entire_binding(), wgpu::BindingResource::TextureView(&shadow)],
+            );
+            shadow = to;
         }
         shadow
     }
@@ -151,42 +196,45 @@ impl Shadows {
             ],
             workgroups(scene.count),
         );
-        stencil.compact.record(frame, stencil.flags, scene.count, 1, VERTICES, stencil.list);
-    }
-
-    fn count(
-        &self,
-        frame: &mut Frame<'_>,
-        view: &wgpu::Buffer,
-        (light, lights): (u32, &wgpu::Buffer),
-        scene: &PuffScene,
-        stencil: &Stencil<'_>,
-        depth: &wgpu::TextureView,
-    ) {
-        let casting = CastingUniform { light, step: stencil.step as f32, pad: [0; 2] };
-        let casting = frame.uniform("light.volume.uniform", &casting);
-        let Atlas { view: texture, sampler, uniform: atlas, .. } = &scene.atlas;
-        frame.raster(
-            "light.volume",
-            &self.volume,
-            Target::default().with_stencil(depth, None, Some(0)),
-            &[
-                view.as_entire_binding(),
-                atlas.as_entire_binding(),
-                casting.as_entire_binding(),
-                lights.as_entire_binding(),
-                scene.puffs.as_entire_binding(),
-                stencil.list.items.as_entire_binding(),
-                scene.styles.as_entire_binding(),
-                wgpu::BindingResource::TextureView(texture),
-                wgpu::BindingResource::Sampler(sampler),
-            ],
-            |pass| pass.draw_indirect(&stencil.list.draw, 0),
-        );
     }
 }
 
-fn stencil_state(write: bool, compare: wgpu::CompareFunction, stencil: wgpu::StencilState) -> wgpu::DepthStencilState {
+/// Counts the volumes of the listed puffs.
+fn count(
+    frame: &mut Frame<'_>,
+    volume: &wgpu::RenderPipeline,
+    view: &wgpu::Buffer,
+    (light, lights): (u32, &wgpu::Buffer),
+    scene: &PuffScene,
+    stencil: &Stencil<'_>,
+    target: Target<'_>,
+) {
+    let casting = CastingUniform { light, step: stencil.step as f32, pad: [0; 2] };
+    let casting = frame.uniform("light.volume.uniform", &casting);
+    let Atlas { view: texture, uniform: atlas, .. } = &scene.atlas;
+    frame.raster(
+        "light.volume",
+        volume,
+        target,
+        &[
+            view.as_entire_binding(),
+            atlas.as_entire_binding(),
+            casting.as_entire_binding(),
+            lights.as_entire_binding(),
+            scene.puffs.as_entire_binding(),
+            stencil.list.items.as_entire_binding(),
+            scene.styles.as_entire_binding(),
+            wgpu::BindingResource::TextureView(texture),
+        ],
+        |pass| pass.draw_indirect(&stencil.list.draw, 0),
+    );
+}
+
+fn stencil_state(
+    write: bool,
+    compare: wgpu::CompareFunction,
+    stencil: wgpu::StencilState,
+) -> wgpu::DepthStencilState {
     wgpu::DepthStencilState {
         format: STENCIL_FORMAT,
         depth_write_enabled: Some(write),

@@ -1,4 +1,4 @@
-// Averages a layer along one axis, over what lies at much the same depth, so that tones get shapes of a
+// Averages normals along one axis, over what lies at much the same depth, so that tones get shapes of a
 // least size. Their edges stay crisp: they are found in the average.
 
 struct Soften {
@@ -12,21 +12,14 @@ struct Soften {
 
 @group(0) @binding(0) var<uniform> soften: Soften;
 @group(0) @binding(1) var normals: texture_2d<f32>;
-@group(0) @binding(2) var shadows: texture_2d<f32>;
-
-struct Softened {
-    @location(0) normal: vec4f,
-    @location(1) shadow: vec4f,
-}
 
 @fragment
-fn fragment(@builtin(position) position: vec4f) -> Softened {
+fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let at = vec2i(position.xy);
     let last = vec2i(textureDimensions(normals)) - 1;
     let middle = textureLoad(normals, at, 0);
     let distance = exp2(middle.w);
     var normal = vec3f(0.0);
-    var shadow = vec4f(0.0);
     var total = 0.0;
     for (var step = -soften.radius; step <= soften.radius; step++) {
         let place = clamp(at + soften.axis * step, vec2i(0), last);
@@ -36,11 +29,10 @@ fn fragment(@builtin(position) position: vec4f) -> Softened {
         let near = depth_px < 3.0 * f32(abs(step)) + 2.0 && any(other.xyz != vec3f(0.0));
         let weight = select(0.0, 1.0, near);
         normal += other.xyz * weight;
-        shadow += textureLoad(shadows, place, 0) * weight;
         total += weight;
     }
     if total == 0.0 || all(middle.xyz == vec3f(0.0)) {
-        return Softened(vec4f(0.0), vec4f(0.0));
+        return vec4f(0.0);
     }
-    return Softened(vec4f(normal / total, middle.w), shadow / total);
+    return vec4f(normal / total, middle.w);
 }

@@ -12,7 +12,7 @@ struct Volume {
     px: vec2f,
     along_px: vec2f,
     side_px: vec2f,
-    // Distance of its nearest place.
+    // Distance of its nearest place; the near plane's where it reaches behind the camera.
     nearest: f32,
 }
 

@@ -2,9 +2,13 @@
 // from a light, as one front and one back polygon that coincide in image space. Every pixel's depth is
 // displaced by the puff's own height, so that shadows end along wavy curves.
 //
-// Ours: both depths come from the ray through the pixel, so that the two polygons agree exactly in
-// perspective too, and a polygon that would pass behind the camera just covers the screen: the camera
-// may stand inside a volume.
+// Ours: both depths come from where the pixel's ray passes the volume's axis, so that the two polygons
+// agree in perspective too, and a polygon that would pass behind the camera just covers the screen: the
+// camera may stand inside a volume.
+
+// Work out the ray's passage for every pixel instead of between corners: for volumes about the camera,
+// where it does not change evenly over the screen.
+override EXACT: bool = false;
 
 struct Casting {
     light: u32,
@@ -19,18 +23,27 @@ struct Casting {
 @group(0) @binding(5) var<storage, read> list: array<u32>;
 @group(0) @binding(6) var<storage, read> styles: array<ObjectStyle>;
 @group(0) @binding(7) var atlas_texture: texture_2d<f32>;
-@group(0) @binding(8) var atlas_sampler: sampler;
 
 struct Corner {
     @builtin(position) position: vec4f,
-    // Middle of the puff in view space, radius of the volume.
-    @location(0) @interpolate(flat) middle: vec4f,
-    // Direction in which the light travels in view space; 1 on the back polygon.
-    @location(1) @interpolate(flat) axis: vec4f,
-    // Beginning and end of the volume along its axis, erosion, level of the atlas.
+    // Where the ray passes the axis: to its side (in radii), along the ray, along the axis.
+    @location(0) passage: vec3f,
+    // In the atlas: texel of the puff's middle, and texels from there to the volume's side.
+    @location(1) @interpolate(flat) cut: vec4f,
+    // Beginning (in the puff's height) and end along the axis, erosion, radius.
     @location(2) @interpolate(flat) span: vec4f,
-    // Cosine and sine of the puff's rotation, variant.
-    @location(3) @interpolate(flat) look: vec3f,
+    // Metres along the ray to one across the volume, and to one along the axis; 1 on the back polygon.
+    @location(3) @interpolate(flat) slope: vec3f,
+    @location(4) @interpolate(flat) middle: vec3f,
+    @location(5) @interpolate(flat) axis: vec3f,
+}
+
+// Closest approach of a ray from the camera and the axis.
+fn passage_of(ray: vec3f, middle: vec3f, axis: vec3f, radius: f32) -> vec3f {
+    let normal = cross(ray, axis);
+    let sine2 = max(dot(normal, normal), 1e-8);
+    let side = dot(middle, normal) * inverseSqrt(sine2) / radius;
+    return vec3f(side, dot(cross(middle, axis), normal) / sine2, dot(cross(middle, ray), normal) / sine2);
 }
 
 @vertex
@@ -41,52 +54,53 @@ fn vertex(@builtin(vertex_index) index: u32) -> Corner {
     // Back polygon first: what it adds, the front one may take away again. Their windings differ.
     let is_back = index % 12u < 6u;
     let corner = index % 6u;
-    let right = (corner == 1u || corner == 2u || corner == 4u);
-    let upper = (corner == 2u || corner == 4u || corner == 5u);
-    let along = select(-1.0, 1.0, right);
+    let along = select(-1.0, 1.0, corner == 1u || corner == 2u || corner == 4u);
+    let upper = corner == 2u || corner == 4u || corner == 5u;
     let side = select(-1.0, 1.0, upper == is_back);
     let px = volume.px + volume.along_px * along + volume.side_px * side;
+    // The puff's picture, cut through its middle across the light's direction.
+    let to_middle = volume.middle / max(-volume.middle.z, view.near);
+    let normal = cross(to_middle, volume.axis);
+    let across = -normalize(normal.xy + vec2f(1e-9, 0.0));
+    let rotation = puff_rotation(puff);
+    let own = vec2f(rotation.x * across.x + rotation.y * across.y, rotation.x * across.y - rotation.y * across.x);
+    let level = atlas_level(volume.radius * view.focal_px / max(-volume.middle.z, view.near), atlas);
+    let middle = atlas_uv(vec2f(0.0), f32(puff_variant(puff)), level, atlas);
+    let rim = atlas_uv(own, f32(puff_variant(puff)), level, atlas);
+    let texels = vec2f(atlas.variants, 2.0) * atlas.tile_px;
+    let slope = dot(to_middle, volume.axis);
     return Corner(
         clip_of(px, 0.5),
-        vec4f(volume.middle, volume.radius),
-        vec4f(volume.axis, f32(is_back)),
-        vec4f(volume.first, volume.last, puff_fade(puff).x, atlas_level(volume.radius * view.focal_px / max(-volume.middle.z, view.near), atlas)),
-        vec3f(puff_rotation(puff), f32(puff_variant(puff))),
+        passage_of(ray_of(px), volume.middle, volume.axis, volume.radius),
+        vec4f(middle * texels, (rim - middle) * texels),
+        vec4f(volume.first, volume.last, puff_fade(puff).x, volume.radius),
+        vec3f(inverseSqrt(max(dot(normal, normal), 1e-8)), 1.0 / select(slope, 1e-6, abs(slope) < 1e-6), f32(is_back)),
+        volume.middle,
+        volume.axis,
     );
 }
 
 @fragment
 fn fragment(corner: Corner) -> @builtin(frag_depth) f32 {
-    let ray = ray_of(corner.position.xy * casting.step);
-    let middle = corner.middle.xyz;
-    let axis = corner.axis.xyz;
-    // Closest approach of the ray and the axis: at `t` along the ray and `s` along the axis.
-    let normal = cross(ray, axis);
-    let sine2 = max(dot(normal, normal), 1e-8);
-    let lateral = dot(middle, normal) * inverseSqrt(sine2) / corner.middle.w;
-    let t = dot(cross(middle, axis), normal) / sine2;
-    let s = dot(cross(middle, ray), normal) / sine2;
-    // The puff's height where its picture is cut across the light's direction.
-    let flat_axis = normalize(vec2f(axis.x, axis.y) + vec2f(1e-6, 0.0));
-    let facing = sign(dot(normal, vec3f(-flat_axis.y, flat_axis.x, 0.0)));
-    let p = vec2f(-flat_axis.y, flat_axis.x) * lateral * facing;
-    let rotation = corner.look.xy;
-    let own = vec2f(rotation.x * p.x + rotation.y * p.y, rotation.x * p.y - rotation.y * p.x);
-    let uv = atlas_uv(own, corner.look.z, corner.span.w, atlas);
-    let texel = textureSampleLevel(atlas_texture, atlas_sampler, uv, corner.span.w);
-    let reach = texel.z * corner.middle.w;
-    let half = reach * inverseSqrt(sine2);
-    var near = t - half;
-    var far = t + half;
+    var passage = corner.passage;
+    var slope = corner.slope.xy;
+    if EXACT {
+        let ray = ray_of(corner.position.xy * casting.step);
+        passage = passage_of(ray, corner.middle, corner.axis, corner.span.w);
+        let normal = cross(ray, corner.axis);
+        let along = dot(ray, corner.axis);
+        slope = vec2f(inverseSqrt(max(dot(normal, normal), 1e-8)), 1.0 / select(along, 1e-6, abs(along) < 1e-6));
+    }
+    let texel = textureLoad(atlas_texture, vec2i(corner.cut.xy + corner.cut.zw * clamp(passage.x, -1.0, 1.0)), 0);
+    let reach = texel.z * corner.span.w;
+    let half = reach * slope.x;
     // Between the beginning, which bulges as the puff does, and the end.
-    let slope = dot(ray, axis);
-    let inverse = 1.0 / select(slope, 1e-6, abs(slope) < 1e-6);
-    let first = t + (corner.span.x * reach - s) * inverse;
-    let last = t + (corner.span.y - s) * inverse;
-    near = max(near, min(first, last));
-    far = min(far, max(first, last));
-    if abs(lateral) >= 1.0 || texel.w <= corner.span.z || near >= far || far <= view.near {
+    let first = passage.y + (corner.span.x * reach - passage.z) * slope.y;
+    let last = passage.y + (corner.span.y - passage.z) * slope.y;
+    let near = max(passage.y - half, min(first, last));
+    let far = min(passage.y + half, max(first, last));
+    if abs(passage.x) >= 1.0 || texel_margin(texel) <= corner.span.z || near >= far || far <= view.near {
         discard;
     }
-    return depth_of(select(near, far, corner.axis.w == 1.0));
+    return depth_of(select(near, far, corner.slope.z == 1.0));
 }

@@ -31,7 +31,11 @@ pub(crate) fn force_at(force: &Force, index: u32, seed: u32, time: f32) -> Force
         Force::Turbulence { speed, scale, octaves, drift } => ForceUniform {
             octaves,
             seed: seed.wrapping_add(index.wrapping_mul(0x9e37_79b9)),
-            ..of(4, [0.0, 0.0, 0.0, speed], (Vec3::from(drift) * (time / scale)).extend(1.0 / scale).to_array())
+            ..of(
+                4,
+                [0.0, 0.0, 0.0, speed],
+                (Vec3::from(drift) * (time / scale)).extend(1.0 / scale).to_array(),
+            )
         },
         Force::Vortex { center: [x, y, z], axis, radius, speed } => {
             of(5, [x, y, z, radius], Vec3::from(axis).normalize_or_zero().extend(speed).to_array())

@@ -5,11 +5,16 @@ use fumetto_scene::{Background, Colour};
 
 use crate::gpu::Gpu;
 
+/// Rows of a gradient: more than there are bytes' worth of steps in one.
+const GRADIENT_ROWS: u32 = 1024;
+
 /// A scene's background, ready to draw.
 #[derive(Debug)]
 pub(crate) enum Backdrop {
     Transparent,
-    Gradient { top: [f32; 3], bottom: [f32; 3] },
+    /// Stretched over the picture.
+    Gradient(wgpu::TextureView),
+    /// Scaled to cover the picture, centred.
     Image(wgpu::TextureView),
 }
 
@@ -19,13 +24,28 @@ impl Backdrop {
         match (background, image) {
             (_, Some(image)) => Self::Image(upload(gpu, image)),
             (Background::Transparent, None) => Self::Transparent,
-            (&Background::Colour(Colour { linear }), None) => Self::Gradient { top: linear, bottom: linear },
+            (&Background::Colour(colour), None) => Self::Gradient(upload(gpu, &gradient(colour, colour))),
             (&Background::Gradient { top, bottom }, None) => {
-                Self::Gradient { top: top.linear, bottom: bottom.linear }
+                Self::Gradient(upload(gpu, &gradient(top, bottom)))
             }
             (Background::Image(_), None) => unreachable!("a background image is read before it is drawn"),
         }
     }
+}
+
+/// A column of pixels from `top` to `bottom`, mixed in linear light.
+fn gradient(top: Colour, bottom: Colour) -> Image {
+    let colour = |row: u32| {
+        let down = row as f32 / (GRADIENT_ROWS - 1) as f32;
+        let mix =
+            |channel: usize| top.linear[channel] + (bottom.linear[channel] - top.linear[channel]) * down;
+        Colour { linear: [mix(0), mix(1), mix(2)] }
+    };
+    let pixels = (0..GRADIENT_ROWS).flat_map(|row| {
+        let [r, g, b] = colour(row).to_srgb8();
+        [r, g, b, 255]
+    });
+    Image { width: 1, height: GRADIENT_ROWS, pixels: pixels.collect() }
 }
 
 fn upload(gpu: &Gpu, image: &Image) -> wgpu::TextureView {

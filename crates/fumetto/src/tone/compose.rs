@@ -2,7 +2,7 @@
 
 use super::{Backdrop, CEL_FORMAT};
 use crate::{
-    gpu::{Frame, Gpu, RasterPipeline, Target, Transient, shader},
+    gpu::{Frame, Gpu, RasterPipeline, Target, Transient, linear_sampler, shader},
     ink::InkAround,
     shapes::puffs::PuffScene,
 };
@@ -10,7 +10,10 @@ use crate::{
 /// The long-lived pipeline.
 #[derive(Debug)]
 pub(crate) struct Compose {
-    pipeline: wgpu::RenderPipeline,
+    /// Averages and blends.
+    soft: wgpu::RenderPipeline,
+    /// Copies.
+    hard: wgpu::RenderPipeline,
     sampler: wgpu::Sampler,
 }
 
@@ -29,24 +32,26 @@ struct ComposeUniform {
     under: u32,
     cell: f32,
     window: f32,
-    top: [f32; 4],
-    bottom: [f32; 4],
 }
 
 impl Compose {
     pub(crate) fn new(gpu: &Gpu) -> Self {
         let module = gpu.device.create_shader_module(shader!("tone/compose"));
-        let pipeline = RasterPipeline { label: "tone.compose", targets: &[CEL_FORMAT], ..Default::default() };
-        let sampler = gpu.device.create_sampler(&wgpu::SamplerDescriptor {
-            label: Some("tone.compose.sampler"),
-            mag_filter: wgpu::FilterMode::Linear,
-            min_filter: wgpu::FilterMode::Linear,
-            ..Default::default()
+        let [soft, hard] = [0.0, 1.0].map(|hard| {
+            let constants = [("HARD", hard)];
+            let pipeline = RasterPipeline {
+                label: "tone.compose",
+                targets: &[CEL_FORMAT],
+                constants: &constants,
+                ..Default::default()
+            };
+            pipeline.build(&gpu.device, &module)
         });
-        Self { pipeline: pipeline.build(&gpu.device, &module), sampler }
+        Self { soft, hard, sampler: linear_sampler(gpu) }
     }
 
-    /// Lays `cel` and its ink over `under` into `target`; `samples` of them make a pixel's side.
+    /// Lays `cel` and its ink over `under` into `target`; `samples` of them make a pixel's side,
+    /// and an opaque cel lets nothing through.
     pub(crate) fn record(
         &self,
         frame: &mut Frame<'_>,
@@ -54,28 +59,20 @@ impl Compose {
         cel: &Transient,
         (ink, around): (&Transient, &InkAround),
         under: Under<'_>,
-        samples: u32,
+        (samples, is_opaque): (u32, bool),
         target: &wgpu::TextureView,
     ) {
-        let rgb = |[r, g, b]: [f32; 3]| [r, g, b, 1.0];
-        let (mode, top, bottom, image) = match under {
-            Under::Backdrop(Backdrop::Transparent) => (0, [0.0; 4], [0.0; 4], &**cel),
-            Under::Backdrop(&Backdrop::Gradient { top, bottom }) => (1, rgb(top), rgb(bottom), &**cel),
-            Under::Backdrop(Backdrop::Image(image)) => (2, [0.0; 4], [0.0; 4], image),
-            Under::Picture(picture) => (3, [0.0; 4], [0.0; 4], picture),
+        let (mode, image) = match under {
+            Under::Backdrop(Backdrop::Transparent) => (0, &**cel),
+            Under::Backdrop(Backdrop::Gradient(image)) | Under::Picture(image) => (1, image),
+            Under::Backdrop(Backdrop::Image(image)) => (2, image),
         };
-        let uniform = ComposeUniform {
-            samples,
-            under: mode,
-            cell: around.cell as f32,
-            window: around.window(),
-            top,
-            bottom,
-        };
+        let uniform =
+            ComposeUniform { samples, under: mode, cell: around.cell as f32, window: around.window() };
         let uniform = frame.uniform("tone.compose.uniform", &uniform);
         frame.fullscreen(
             "tone.compose",
-            &self.pipeline,
+            if samples == 1 && is_opaque { &self.hard } else { &self.soft },
             Target::colour(target, Some(wgpu::Color::TRANSPARENT)),
             &[
                 uniform.as_entire_binding(),

@@ -1,16 +1,17 @@
 // Lays a cel with its ink over what is there, and averages the samples of each pixel in linear light.
 
+// One sample a pixel and nothing half transparent: colours are only copied.
+override HARD: bool = false;
+
 struct Compose {
     // Samples along each side of a pixel.
     samples: i32,
-    // 0 nothing, 1 vertical gradient, 2 image scaled to cover, 3 the picture so far.
+    // 0 nothing, 1 an image stretched over the picture, 2 one scaled to cover it.
     under: u32,
     // Pixels along a cell of the layer that tells how much ink is around.
     cell: f32,
     // Area of the gathering window, in pixels.
     window: f32,
-    top: vec4f,
-    bottom: vec4f,
 }
 
 @group(0) @binding(0) var<uniform> compose: Compose;
@@ -30,19 +31,15 @@ fn encoded(light: vec3f) -> vec3f {
     return select(1.055 * pow(light, vec3f(1.0 / 2.4)) - 0.055, light * 12.92, light <= vec3f(0.0031308));
 }
 
-// What lies under the cel; linear, premultiplied.
+// What lies under the cel; straight alpha, encoded.
 fn under_at(position: vec2f, size: vec2f) -> vec4f {
-    switch compose.under {
-        case 1u: { return vec4f(mix(compose.top.rgb, compose.bottom.rgb, position.y / size.y), 1.0); }
-        case 2u, 3u: {
-            let image = vec2f(textureDimensions(under));
-            let scale = max(size.x / image.x, size.y / image.y);
-            let uv = 0.5 + (position / size - 0.5) * size / (image * scale);
-            let colour = textureSampleLevel(under, linear, uv, 0.0);
-            return vec4f(decoded(colour.rgb) * colour.a, colour.a);
-        }
-        default: { return vec4f(0.0); }
+    if compose.under == 0u {
+        return vec4f(0.0);
     }
+    let image = vec2f(textureDimensions(under));
+    let cover = max(size.x / image.x, size.y / image.y) * image;
+    let shown = select(size, cover, compose.under == 2u);
+    return textureSampleLevel(under, linear, 0.5 + (position - 0.5 * size) / shown, 0.0);
 }
 
 // The cel with its ink at one sample; straight alpha, encoded.
@@ -63,6 +60,11 @@ fn drawn_at(at: vec2i) -> vec4f {
 fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let size = vec2f(textureDimensions(cel)) / f32(compose.samples);
     let first = vec2i(position.xy) * compose.samples;
+    let below = under_at(position.xy, size);
+    if HARD {
+        let drawn = drawn_at(first);
+        return select(below, vec4f(drawn.rgb, 1.0), drawn.a > 0.0);
+    }
     var sum = vec4f(0.0);
     for (var y = 0; y < compose.samples; y++) {
         for (var x = 0; x < compose.samples; x++) {
@@ -71,7 +73,6 @@ fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
         }
     }
     sum /= f32(compose.samples * compose.samples);
-    let below = under_at(position.xy, size);
-    let over = sum + below * (1.0 - sum.a);
+    let over = sum + vec4f(decoded(below.rgb) * below.a, below.a) * (1.0 - sum.a);
     return vec4f(encoded(over.rgb / max(over.a, 1e-6)), over.a);
 }

@@ -2,7 +2,7 @@
 
 use super::Ramps;
 use crate::{
-    gpu::{Frame, Gpu, RasterPipeline, Target, Transient, shader},
+    gpu::{Frame, Gpu, RasterPipeline, Target, Transient, linear_sampler, shader},
     layers::{self, Layers},
     shapes::puffs::PuffScene,
 };
@@ -14,6 +14,7 @@ pub(crate) const CEL_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Uno
 #[derive(Debug)]
 pub(crate) struct Flat {
     pipeline: wgpu::RenderPipeline,
+    linear: wgpu::Sampler,
 }
 
 impl Flat {
@@ -25,10 +26,10 @@ impl Flat {
             depth: Some(layers::where_filled()),
             ..Default::default()
         };
-        Self { pipeline: pipeline.build(&gpu.device, &module) }
+        Self { pipeline: pipeline.build(&gpu.device, &module), linear: linear_sampler(gpu) }
     }
 
-    /// Paints what the layers show; `step` pixels make a texel of the normal and shadow layers.
+    /// Paints what the layers show; `step` pixels make a texel of the normal layer.
     pub(crate) fn record(
         &self,
         frame: &mut Frame<'_>,
@@ -57,6 +58,7 @@ impl Flat {
                 wgpu::BindingResource::TextureView(normal),
                 wgpu::BindingResource::TextureView(shadow),
                 wgpu::BindingResource::TextureView(&ramps.view),
+                wgpu::BindingResource::Sampler(&self.linear),
             ],
         );
         cel

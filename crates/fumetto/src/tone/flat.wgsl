@@ -2,7 +2,7 @@
 // section 1.2).
 
 struct Sampling {
-    // Pixels of the picture to one texel of the normal and shadow layers.
+    // Pixels of the picture to one texel of the normal layer.
     step: i32,
 }
 
@@ -15,39 +15,27 @@ struct Sampling {
 @group(0) @binding(7) var normals: texture_2d<f32>;
 @group(0) @binding(8) var shadows: texture_2d<f32>;
 @group(0) @binding(9) var ramps: texture_2d<f32>;
+@group(0) @binding(10) var linear: sampler;
 
-struct Surface {
-    normal: vec3f,
-    // Share of each light that is kept away.
-    shadow: vec4f,
-}
-
-// The layers between their texels, from those that lie about as deep.
-fn surface_at(px: vec2i, distance: f32) -> Surface {
+// The normal between the layer's texels, from those that lie about as deep.
+fn normal_at(px: vec2i, distance: f32) -> vec3f {
     if sampling.step == 1 {
-        return Surface(textureLoad(normals, px, 0).xyz, textureLoad(shadows, px, 0));
+        return textureLoad(normals, px, 0).xyz;
     }
     let at = vec2f(px) / f32(sampling.step);
     let cell = vec2i(floor(at));
     let part = at - floor(at);
     let last = vec2i(textureDimensions(normals)) - 1;
     var normal = vec3f(0.0);
-    var shadow = vec4f(0.0);
-    var total = 0.0;
     for (var corner = 0; corner < 4; corner++) {
         let step = vec2i(corner & 1, corner >> 1);
-        let place = min(cell + step, last);
-        let texel = textureLoad(normals, place, 0);
+        let texel = textureLoad(normals, min(cell + step, last), 0);
         let bilinear = select(1.0 - part, part, step == vec2i(1));
         // Texels elsewhere in depth count for almost nothing, unless there are no others.
         let apart = abs(texel.w - log2(distance)) * 64.0;
-        let here = any(texel.xyz != vec3f(0.0));
-        let weight = select(0.0, (bilinear.x * bilinear.y + 1e-3) / (1.0 + apart * apart * apart * apart), here);
-        normal += texel.xyz * weight;
-        shadow += textureLoad(shadows, place, 0) * weight;
-        total += weight;
+        normal += texel.xyz * ((bilinear.x * bilinear.y + 1e-3) / (1.0 + apart * apart * apart * apart));
     }
-    return Surface(normal / max(total, 1e-9), shadow / max(total, 1e-9));
+    return normal;
 }
 
 @fragment
@@ -61,13 +49,14 @@ fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let style = styles[puff_object(puff)];
     let distance = distance_of(textureLoad(depth_layer, px, 0));
     let place = (view.world_from_view * vec4f(ray_of(position.xy) * distance, 1.0)).xyz;
-    let surface = surface_at(px, distance);
-    let normal = surface.normal / max(length(surface.normal), 1e-4);
+    let unscaled = normal_at(px, distance);
+    let normal = unscaled / max(length(unscaled), 1e-6);
+    let shadow = textureSampleLevel(shadows, linear, position.xy / view.size_px, 0.0);
     var amount = 0.0;
     for (var i = 0u; i < lights.count; i++) {
         let light = lights.light[i];
         let facing = (dot(normal, toward(light, place)) + style.wrap) / (1.0 + style.wrap);
-        let kept = light.channel >= 0 && surface.shadow[max(light.channel, 0)] >= 0.5;
+        let kept = light.channel >= 0 && shadow[max(light.channel, 0)] >= 0.5;
         amount += select(light.intensity * max(facing, 0.0), 0.0, kept);
     }
     let columns = i32(textureDimensions(ramps).x);

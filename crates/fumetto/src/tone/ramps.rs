@@ -28,7 +28,8 @@ impl Ramps {
                 });
             }
         }
-        let size = wgpu::Extent3d { width: COLUMNS, height: ramps.len().max(1) as u32, depth_or_array_layers: 1 };
+        let size =
+            wgpu::Extent3d { width: COLUMNS, height: ramps.len().max(1) as u32, depth_or_array_layers: 1 };
         let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
             label: Some("tone.ramps"),
             size,

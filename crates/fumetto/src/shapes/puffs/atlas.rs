@@ -4,18 +4,20 @@ use fumetto_scene::Puffs;
 use thiserror::Error;
 
 use super::bundle::{Bundles, HOLES};
-use crate::gpu::{Frame, Gpu, RasterPipeline, Target, TexturePool, shader};
+use crate::gpu::{Frame, Gpu, RasterPipeline, Target, TexturePool, linear_sampler, shader};
 
 /// Half the width of a tile over the puff's radius: room for ink around it. Also in `billboard.wgsl`.
 const TILE_EXTENT: f32 = 1.25;
 
-/// Half floats, which every adapter filters.
-const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
+/// Bytes: software rasterisers filter them several times faster than half floats, and puffs fill the
+/// screen many times over.
+const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 
 /// All variants of a puff in one texture, side by side.
 ///
-/// Channels: normal x and y in the tile's frame (y up), height over the puff's middle in its radii,
-/// and margin: how much erosion a place outlives (0 to 1), or its distance from the puff, negative.
+/// Channels: normal x and y in the tile's frame (y up) from -1 to 1, height over the puff's middle in its
+/// radii from 0 to 1, and margin from -0.5 to 1: how much erosion a place outlives, or its distance from
+/// the puff, negative.
 #[derive(Debug)]
 pub(crate) struct Atlas {
     pub(crate) texture: wgpu::Texture,
@@ -60,7 +62,9 @@ impl Atlas {
     pub(crate) fn new(gpu: &Gpu, kinds: &[Puffs]) -> Result<Self, AtlasError> {
         let variants = kinds.iter().map(|kind| kind.variants).sum::<u32>().max(1);
         let tile_px = kinds.iter().map(|kind| kind.tile_px).max().unwrap_or(16);
-        let size = [variants * tile_px, tile_px];
+        // Copies of half, a quarter… the size lie below each other, all in one plain texture: software
+        // rasterisers are several times slower where each pixel chooses among mip levels.
+        let size = [variants * tile_px, 2 * tile_px];
         let allowed = gpu.device.limits().max_texture_dimension_2d;
         if size[0] > allowed {
             return Err(AtlasError { variants, tile_px, allowed });
@@ -70,7 +74,7 @@ impl Atlas {
         let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
             label: Some("shapes.puffs.atlas"),
             size: wgpu::Extent3d { width: size[0], height: size[1], depth_or_array_layers: 1 },
-            mip_level_count: levels,
+            mip_level_count: 1,
             sample_count: 1,
             dimension: wgpu::TextureDimension::D2,
             format: FORMAT,
@@ -81,8 +85,8 @@ impl Atlas {
         });
         let pool = TexturePool::default();
         let mut frame = Frame::new(gpu, &pool, "shapes.puffs.atlas");
-        render(&mut frame, kinds, tile_px as f32, &level(&texture, 0));
-        halve(&mut frame, &texture, levels);
+        let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
+        render(&mut frame, kinds, tile_px as f32, &view);
         let uniform = AtlasUniform {
             variants: variants as f32,
             tile_px: tile_px as f32,
@@ -91,24 +95,8 @@ impl Atlas {
         };
         let uniform = frame.uniform("shapes.puffs.atlas.uniform", &uniform);
         frame.submit();
-        let sampler = gpu.device.create_sampler(&wgpu::SamplerDescriptor {
-            label: Some("shapes.puffs.atlas.sampler"),
-            mag_filter: wgpu::FilterMode::Linear,
-            min_filter: wgpu::FilterMode::Linear,
-            ..Default::default()
-        });
-        let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
-        Ok(Self { view, texture, sampler, uniform })
+        Ok(Self { view, texture, sampler: linear_sampler(gpu), uniform })
     }
-}
-
-fn level(texture: &wgpu::Texture, level: u32) -> wgpu::TextureView {
-    texture.create_view(&wgpu::TextureViewDescriptor {
-        label: Some("shapes.puffs.atlas.level"),
-        base_mip_level: level,
-        mip_level_count: Some(1),
-        ..Default::default()
-    })
 }
 
 fn render(frame: &mut Frame<'_>, kinds: &[Puffs], tile_px: f32, target: &wgpu::TextureView) {
@@ -127,21 +115,4 @@ fn render(frame: &mut Frame<'_>, kinds: &[Puffs], tile_px: f32, target: &wgpu::T
         Target::colour(target, Some(wgpu::Color::TRANSPARENT)),
         &[uniform.as_entire_binding(), balls.as_entire_binding(), holes.as_entire_binding()],
     );
-}
-
-fn halve(frame: &mut Frame<'_>, texture: &wgpu::Texture, levels: u32) {
-    let device = &frame.gpu.device;
-    let module = device.create_shader_module(shader!("shapes/puffs/mip"));
-    let pipeline = RasterPipeline { label: "shapes.puffs.mip", targets: &[FORMAT], ..Default::default() }
-        .build(device, &module);
-    for coarser in 1..levels {
-        let finer = level(texture, coarser - 1);
-        let target = level(texture, coarser);
-        frame.fullscreen(
-            "shapes.puffs.mip",
-            &pipeline,
-            Target::colour(&target, Some(wgpu::Color::TRANSPARENT)),
-            &[wgpu::BindingResource::TextureView(&finer)],
-        );
-    }
 }

@@ -1,5 +1,5 @@
-// Renders bundles of balls to the atlas, one tile a variant: normal x and y, height over the middle,
-// and margin (McGuire & Fein 2004, section 1.1).
+// Renders bundles of balls to the atlas, one column a variant: normal x and y, height over the middle,
+// and margin (McGuire & Fein 2004, section 1.1). Smaller and smaller copies lie below each other.
 
 struct Bundles {
     tile_px: f32,
@@ -35,11 +35,7 @@ fn margin_at(p: vec2f, variant: u32) -> f32 {
     return clamp(margin, 1e-4, 0.999);
 }
 
-@fragment
-fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
-    let variant = u32(position.x / bundles.tile_px);
-    let uv = position.xy / bundles.tile_px - vec2f(f32(variant), 0.0);
-    let p = (uv * 2.0 - 1.0) * vec2f(bundles.extent, -bundles.extent);
+fn texel_at(p: vec2f, variant: u32) -> vec4f {
     var height = 0.0;
     var normal = vec2f(0.0);
     for (var i = 0u; i < bundles.balls; i++) {
@@ -52,5 +48,27 @@ fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
             normal = offset;
         }
     }
-    return vec4f(normal, height, margin_at(p, variant));
+    return vec4f(0.5 + 0.5 * normal, height, (margin_at(p, variant) + 0.5) / 1.5);
+}
+
+@fragment
+fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
+    // Copies of the tile begin at 0, 1, 1½, 1¾… of its height.
+    let level = floor(-log2(1.0 - 0.5 * position.y / bundles.tile_px));
+    let side = bundles.tile_px * exp2(-level);
+    let top = bundles.tile_px * (2.0 - 2.0 * exp2(-level));
+    let variant = u32(position.x / bundles.tile_px);
+    let at = vec2f(position.x - f32(variant) * bundles.tile_px, position.y - top);
+    if at.x >= side {
+        return vec4f(0.0);
+    }
+    // A texel of a copy is the mean of what the tile shows there.
+    let samples = u32(min(exp2(level), 4.0));
+    var sum = vec4f(0.0);
+    for (var i = 0u; i < samples * samples; i++) {
+        let inside = (vec2f(vec2u(i % samples, i / samples)) + 0.5) / f32(samples) - 0.5;
+        let uv = (at + inside) / side;
+        sum += texel_at((uv * 2.0 - 1.0) * vec2f(bundles.extent, -bundles.extent), variant);
+    }
+    return sum / f32(samples * samples);
 }

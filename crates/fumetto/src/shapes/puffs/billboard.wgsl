@@ -28,9 +28,18 @@ fn atlas_level(radius_px: f32, atlas: Atlas) -> f32 {
     return clamp(floor(log2(atlas.tile_px / (2.0 * TILE_EXTENT * radius_px)) + 0.5), 0.0, atlas.levels - 1.0);
 }
 
-// Where in the atlas; the margin of half a texel keeps tiles from bleeding into each other.
+// Where in the atlas. Beyond the tile (where p is beyond TILE_EXTENT) lies something else.
 fn atlas_uv(p: vec2f, variant: f32, level: f32, atlas: Atlas) -> vec2f {
-    let half_texel = 0.5 * exp2(level) / atlas.tile_px;
-    let uv = clamp(vec2f(p.x, -p.y) * (0.5 / TILE_EXTENT) + 0.5, vec2f(half_texel), vec2f(1.0 - half_texel));
-    return vec2f((variant + uv.x) / atlas.variants, uv.y);
+    let scale = exp2(-level);
+    let tile = vec2f(p.x, -p.y) * (0.5 / TILE_EXTENT) + 0.5;
+    return vec2f((variant + tile.x * scale) / atlas.variants, 1.0 - scale + 0.5 * tile.y * scale);
+}
+
+// What a texel of the atlas says.
+fn texel_normal(texel: vec4f) -> vec2f {
+    return texel.xy * 2.0 - 1.0;
+}
+
+fn texel_margin(texel: vec4f) -> f32 {
+    return texel.w * 1.5 - 0.5;
 }

@@ -12,10 +12,11 @@ struct Corner {
     @builtin(position) position: vec4f,
     // In the puff's own frame.
     @location(0) p: vec2f,
-    // Distance of the middle, radius in metres, erosion, level of the atlas.
-    @location(1) @interpolate(flat) puff: vec4f,
-    // Puff's number + 1, variant.
-    @location(2) @interpolate(flat) id: vec2u,
+    @location(1) uv: vec2f,
+    // Distance of the middle, radius in metres, erosion.
+    @location(2) @interpolate(flat) puff: vec3f,
+    // Puff's number + 1.
+    @location(3) @interpolate(flat) id: u32,
 }
 
 @vertex
@@ -24,13 +25,14 @@ fn vertex(@builtin(vertex_index) index: u32) -> Corner {
     let puff = puffs[id];
     let sprite = sprite_of(puff);
     let offset = TRIANGLE[index % 3u] * sprite.radius_px;
-    let level = atlas_level(sprite.radius_px, atlas);
+    let p = puff_from_px(offset, sprite.radius_px, puff_rotation(puff));
     return Corner(
         // At its nearest depth, so that pixels are only ever pushed back.
         clip_of(sprite.px + offset, depth_of(sprite.distance - puff.radius)),
-        puff_from_px(offset, sprite.radius_px, puff_rotation(puff)),
-        vec4f(sprite.distance, puff.radius, puff_fade(puff).x, level),
-        vec2u(id + 1u, puff_variant(puff)),
+        p,
+        atlas_uv(p, f32(puff_variant(puff)), atlas_level(sprite.radius_px, atlas), atlas),
+        vec3f(sprite.distance, puff.radius, puff_fade(puff).x),
+        id + 1u,
     );
 }
 
@@ -41,10 +43,9 @@ struct Body {
 
 @fragment
 fn fragment(corner: Corner) -> Body {
-    let uv = atlas_uv(corner.p, f32(corner.id.y), corner.puff.w, atlas);
-    let texel = textureSampleLevel(atlas_texture, atlas_sampler, uv, corner.puff.w);
-    if texel.w <= corner.puff.z {
+    let texel = textureSampleLevel(atlas_texture, atlas_sampler, corner.uv, 0.0);
+    if texel_margin(texel) <= corner.puff.z || dot(corner.p, corner.p) > 1.0 {
         discard;
     }
-    return Body(depth_of(corner.puff.x - texel.z * corner.puff.y), corner.id.x);
+    return Body(depth_of(corner.puff.x - texel.z * corner.puff.y), corner.id);
 }

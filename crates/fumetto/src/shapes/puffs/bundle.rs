@@ -7,9 +7,6 @@ use glam::{Vec2, Vec3, Vec4};
 /// there.
 const CORE_BALL: f32 = 0.62;
 
-/// Radius of the disc that every variant surely covers, over the puff's.
-pub(super) const CORE_RADIUS: f32 = 0.52;
-
 /// Places where erosion first breaks through.
 pub(super) const HOLES: u32 = 3;
 
@@ -48,11 +45,6 @@ impl Bundles {
             self.holes.push(middle.extend(0.0).extend(0.25 + 0.35 * random.next()));
         }
     }
-}
-
-/// How far in front of its middle a puff reaches all over its core, over its radius.
-pub(super) fn core_height() -> f32 {
-    (CORE_BALL * CORE_BALL - CORE_RADIUS * CORE_RADIUS).sqrt()
 }
 
 /// One of `count` balls that together bulge from the core on all sides, most of them toward the rim,

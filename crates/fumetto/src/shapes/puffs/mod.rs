@@ -18,6 +18,6 @@ pub(crate) use atlas::{Atlas, AtlasError};
 pub(crate) use body::{Body, VERTICES};
 pub(crate) use form::Form;
 pub(crate) use normal::Normal;
-pub(crate) use occlusion::{BODY, INK, Occlusion, Pyramid};
+pub(crate) use occlusion::{FRONT, INK, Occlusion, Pyramid, REST};
 pub(crate) use present::{Placement, Present, still_puffs};
 pub(crate) use scene::{PuffObject, PuffScene};

@@ -45,12 +45,8 @@ impl Normal {
         let normal = frame.texture("layers.normal", size, layers::NORMAL_FORMAT);
         let Atlas { view: texture, sampler, uniform, .. } = &scene.atlas;
         let form = &scene.form;
-        let sampling = SamplingUniform {
-            step,
-            form_side: form.side as f32,
-            form_objects: form.objects as f32,
-            pad: 0,
-        };
+        let sampling =
+            SamplingUniform { step, form_side: form.side as f32, form_objects: form.objects as f32, pad: 0 };
         let sampling = frame.uniform("shapes.puffs.normal.sampling", &sampling);
         frame.fullscreen(
             "shapes.puffs.normal",

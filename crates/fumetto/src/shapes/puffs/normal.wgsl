@@ -2,6 +2,9 @@
 // Also keeps the distance, as a logarithm so that half floats hold it to a thousandth, for passes that
 // must not mix what lies far apart.
 
+// Halvings of the puff's picture that its normals are taken from when only the form counts.
+const SMOOTHING: f32 = 5.0;
+
 struct Sampling {
     // Pixels of the picture to one texel of this layer.
     step: u32,
@@ -43,16 +46,18 @@ fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let rotation = puff_rotation(puff);
     let px = vec2f(at) + 0.5;
     let p = puff_from_px(px - sprite.px, sprite.radius_px, rotation);
-    let level = atlas_level(sprite.radius_px, atlas);
-    let uv = atlas_uv(p, f32(puff_variant(puff)), level, atlas);
-    let texel = textureSampleLevel(atlas_texture, linear, uv, level);
-    let flat_normal = screen_from_puff(texel.xy, rotation);
+    let object = puff_object(puff);
+    let form = styles[object].form;
+    // The more the cloud counts, the smoother is the single puff: its bumps would only be flecks.
+    let level = min(atlas_level(sprite.radius_px, atlas) + round(SMOOTHING * form), atlas.levels - 1.0);
+    let inside = p * (min(length(p), 0.98) / max(length(p), 1e-3));
+    let uv = atlas_uv(inside, f32(puff_variant(puff)), level, atlas);
+    let texel = textureSampleLevel(atlas_texture, linear, uv, 0.0);
+    let flat_normal = screen_from_puff(texel_normal(texel), rotation);
     let own = vec3f(flat_normal, sqrt(max(1.0 - dot(flat_normal, flat_normal), 0.0)));
     let own_world = (view.world_from_view * vec4f(own, 0.0)).xyz;
     let distance = distance_of(textureLoad(depth_layer, at, 0));
     let place = (view.world_from_view * vec4f(ray_of(px) * distance, 1.0)).xyz;
-    let object = puff_object(puff);
-    let form = styles[object].form;
     let bent = mix(own_world, form_at(place, object), form);
     return vec4f(bent / max(length(bent), 1e-4), log2(distance));
 }

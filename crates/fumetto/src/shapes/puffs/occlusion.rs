@@ -1,23 +1,26 @@
-//! Which puffs can be seen at all: a pyramid of how near something solid surely is, and a cull by it.
+//! Which puffs can be seen at all, found in two phases: a few that surely can are drawn first, then a
+//! pyramid over their depth tells which of the others they hide.
 
-use super::{bundle, scene::PuffScene};
+use super::scene::PuffScene;
 use crate::gpu::{Frame, Gpu, Slot, kernels, shader, workgroups};
 
 /// Width of a cell of the finest level, in pixels. Also in `pyramid.wgsl`.
-const CELL_PX: u32 = 2;
-/// Enough for a finest level of 4096 cells.
+const CELL_PX: u32 = 4;
+/// Enough for any texture.
 const MAX_LEVELS: usize = 16;
 
-/// Bits of a puff's flags. Also in `cull.wgsl`.
-pub(crate) const BODY: u32 = 1;
-pub(crate) const INK: u32 = 2;
+/// Bits of a puff's flags. Also in `pyramid.wgsl`.
+pub(crate) const FRONT: u32 = 1;
+pub(crate) const REST: u32 = 2;
+pub(crate) const INK: u32 = 4;
 
 /// Long-lived kernels.
 #[derive(Debug)]
 pub(crate) struct Occlusion {
-    occluders: wgpu::ComputePipeline,
-    down: wgpu::ComputePipeline,
-    up: wgpu::ComputePipeline,
+    compete: wgpu::ComputePipeline,
+    choose: wgpu::ComputePipeline,
+    pixels: wgpu::ComputePipeline,
+    cells: wgpu::ComputePipeline,
     cull: wgpu::ComputePipeline,
 }
 
@@ -38,15 +41,6 @@ struct PyramidUniform {
     levels: u32,
     pad: [u32; 3],
     level: [[u32; 4]; MAX_LEVELS],
-}
-
-#[repr(C)]
-#[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
-struct CoreUniform {
-    radius: f32,
-    height: f32,
-    first: u32,
-    count: u32,
 }
 
 impl Pyramid {
@@ -83,22 +77,19 @@ impl Pyramid {
 
 impl Occlusion {
     pub(crate) fn new(gpu: &Gpu) -> Self {
-        let [occluders] = kernels(
-            gpu,
-            shader!("shapes/puffs/occluders"),
-            &[Slot::Uniform, Slot::Uniform, Slot::Uniform, Slot::Read, Slot::Write],
-            ["occluders"],
-        );
-        let slots = [Slot::Uniform, Slot::Uniform, Slot::Write];
-        let [down, up] = kernels(gpu, shader!("shapes/puffs/spread"), &slots, ["down", "up"]);
+        let slots =
+            [Slot::Uniform, Slot::Uniform, Slot::Uniform, Slot::Read, Slot::Read, Slot::Write, Slot::Write];
+        let [compete, choose] = kernels(gpu, shader!("shapes/puffs/front"), &slots, ["compete", "choose"]);
         let slots =
             [Slot::Uniform, Slot::Uniform, Slot::Uniform, Slot::Read, Slot::Read, Slot::Read, Slot::Write];
         let [cull] = kernels(gpu, shader!("shapes/puffs/cull"), &slots, ["cull"]);
-        Self { occluders, down, up, cull }
+        let slots = [Slot::Uniform, Slot::Uniform, Slot::Write, Slot::Depth];
+        let [pixels, cells] = kernels(gpu, shader!("shapes/puffs/reduce"), &slots, ["pixels", "cells"]);
+        Self { compete, choose, pixels, cells, cull }
     }
 
-    /// Flags the puffs that something solid does not surely hide.
-    pub(crate) fn record(
+    /// Flags the puffs to draw first, [`FRONT`].
+    pub(crate) fn front(
         &self,
         frame: &mut Frame<'_>,
         view: &wgpu::Buffer,
@@ -107,62 +98,63 @@ impl Occlusion {
         flags: &wgpu::Buffer,
     ) {
         frame.encoder.clear_buffer(&pyramid.nearness, 0, None);
-        let core = CoreUniform {
-            radius: bundle::CORE_RADIUS,
-            height: bundle::core_height(),
-            first: 0,
-            count: scene.count,
-        };
-        let core = frame.uniform("shapes.puffs.core", &core);
-        frame.compute(
-            "shapes.puffs.occluders",
-            &self.occluders,
-            &[
-                view.as_entire_binding(),
-                core.as_entire_binding(),
-                pyramid.uniform.as_entire_binding(),
-                scene.puffs.as_entire_binding(),
-                pyramid.nearness.as_entire_binding(),
-            ],
-            workgroups(scene.count),
-        );
-        self.spread(frame, pyramid);
-        let range = frame.uniform("shapes.puffs.range", &[0, scene.count, 0, 0]);
-        frame.compute(
-            "shapes.puffs.cull",
-            &self.cull,
-            &[
-                view.as_entire_binding(),
-                range.as_entire_binding(),
-                pyramid.uniform.as_entire_binding(),
-                scene.puffs.as_entire_binding(),
-                scene.styles.as_entire_binding(),
-                pyramid.nearness.as_entire_binding(),
-                flags.as_entire_binding(),
-            ],
-            workgroups(scene.count),
-        );
+        for (label, pipeline) in
+            [("shapes.puffs.compete", &self.compete), ("shapes.puffs.choose", &self.choose)]
+        {
+            flag(frame, label, pipeline, view, scene, pyramid, flags);
+        }
     }
 
-    fn spread(&self, frame: &mut Frame<'_>, pyramid: &Pyramid) {
-        let mut level = |pipeline, index: usize| {
-            let [width, height] = pyramid.levels[index];
+    /// With what was drawn first in `depth`, flags the bodies that are still to be drawn, [`REST`], and
+    /// the ink, [`INK`].
+    pub(crate) fn rest(
+        &self,
+        frame: &mut Frame<'_>,
+        view: &wgpu::Buffer,
+        scene: &PuffScene,
+        pyramid: &Pyramid,
+        flags: &wgpu::Buffer,
+        depth: &wgpu::TextureView,
+    ) {
+        for (index, &[width, height]) in pyramid.levels.iter().enumerate() {
             frame.compute(
-                "shapes.puffs.spread",
-                pipeline,
+                "shapes.puffs.reduce",
+                if index == 0 { &self.pixels } else { &self.cells },
                 &[
                     pyramid.uniform.as_entire_binding(),
                     pyramid.level_uniforms[index].as_entire_binding(),
                     pyramid.nearness.as_entire_binding(),
+                    wgpu::BindingResource::TextureView(depth),
                 ],
                 [width.div_ceil(16), height.div_ceil(16), 1],
             );
-        };
-        for index in (0..pyramid.levels.len() - 1).rev() {
-            level(&self.down, index);
         }
-        for index in 1..pyramid.levels.len() {
-            level(&self.up, index);
-        }
+        flag(frame, "shapes.puffs.cull", &self.cull, view, scene, pyramid, flags);
     }
+}
+
+fn flag(
+    frame: &mut Frame<'_>,
+    label: &str,
+    pipeline: &wgpu::ComputePipeline,
+    view: &wgpu::Buffer,
+    scene: &PuffScene,
+    pyramid: &Pyramid,
+    flags: &wgpu::Buffer,
+) {
+    let range = frame.uniform("shapes.puffs.range", &[scene.count, 0, 0, 0]);
+    frame.compute(
+        label,
+        pipeline,
+        &[
+            view.as_entire_binding(),
+            range.as_entire_binding(),
+            pyramid.uniform.as_entire_binding(),
+            scene.puffs.as_entire_binding(),
+            scene.styles.as_entire_binding(),
+            pyramid.nearness.as_entire_binding(),
+            flags.as_entire_binding(),
+        ],
+        workgroups(scene.count),
+    );
 }

@@ -11,7 +11,7 @@ fn visible(px: vec2f, half: vec2f, distance: f32) -> bool {
     let cell_px = CELL_PX * exp2(f32(level));
     let low = max(vec2i(floor(low_px / cell_px)), vec2i(0));
     let high = min(vec2i(floor(high_px / cell_px)), vec2i(grid.yz) - 1);
-    let bits = bitcast<u32>(1.0 / max(distance, view.near));
+    let bits = bitcast<u32>(depth_of(distance));
     var seen = false;
     for (var y = low.y; y <= high.y; y++) {
         for (var x = low.x; x <= high.x; x++) {

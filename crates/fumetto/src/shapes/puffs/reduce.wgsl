@@ -1,5 +1,4 @@
-// Makes the pyramid's levels agree: first what covers a cell covers its four children, then a cell is
-// covered as near as the farthest of its children.
+// Builds the pyramid from the depth layer: a cell is as near as its farthest pixel.
 
 struct Level {
     index: u32,
@@ -8,21 +7,26 @@ struct Level {
 @group(0) @binding(0) var<uniform> pyramid: Pyramid;
 @group(0) @binding(1) var<uniform> level: Level;
 @group(0) @binding(2) var<storage, read_write> nearness: array<u32>;
+@group(0) @binding(3) var depth_layer: texture_depth_2d;
 
 @compute @workgroup_size(16, 16)
-fn down(@builtin(global_invocation_id) id: vec3u) {
-    let grid = pyramid.level[level.index];
+fn pixels(@builtin(global_invocation_id) id: vec3u) {
+    let grid = pyramid.level[0];
     if any(id.xy >= grid.yz) {
         return;
     }
-    let parent = pyramid.level[level.index + 1u];
-    let above = nearness[parent.x + (id.y / 2u) * parent.y + id.x / 2u];
-    let at = grid.x + id.y * grid.y + id.x;
-    nearness[at] = max(nearness[at], above);
+    let side = u32(CELL_PX);
+    let last = textureDimensions(depth_layer) - 1u;
+    var farthest = 1.0;
+    for (var i = 0u; i < side * side; i++) {
+        let at = min(id.xy * side + vec2u(i % side, i / side), last);
+        farthest = min(farthest, textureLoad(depth_layer, at, 0));
+    }
+    nearness[grid.x + id.y * grid.y + id.x] = bitcast<u32>(farthest);
 }
 
 @compute @workgroup_size(16, 16)
-fn up(@builtin(global_invocation_id) id: vec3u) {
+fn cells(@builtin(global_invocation_id) id: vec3u) {
     let grid = pyramid.level[level.index];
     if any(id.xy >= grid.yz) {
         return;
