@@ -1,6 +1,5 @@
 //! A scene on the graphics device, and pictures of it.
 
-use crate::pending::{Layer, Pending as _};
 use std::path::Path;
 
 use anyhow::Context as _;
@@ -12,6 +11,7 @@ use crate::console;
 use crate::files::SceneFolder;
 use crate::gpu::{self, Trouble};
 use crate::interrupt::Interrupt;
+use crate::pending::{Layer, Pending as _};
 
 /// Frames that are simulated before Ctrl-C is asked for and the device is waited for: few enough to
 /// stop within moments, enough to keep the device busy.

@@ -7,8 +7,9 @@ mod target;
 
 use std::path::PathBuf;
 
-use crate::pending::Layer;
 use clap::{Args, Parser, Subcommand, ValueEnum};
+
+use crate::pending::Layer;
 
 pub(crate) use self::{
     frames::FrameRange,

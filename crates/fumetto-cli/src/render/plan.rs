@@ -1,6 +1,5 @@
 use std::path::Path;
 
-use crate::pending::Layer;
 use fumetto::Shot;
 use fumetto_formats::{is_sequence, sequence_path};
 use fumetto_scene::{Camera, Matter, Scene};
@@ -8,6 +7,7 @@ use fumetto_scene::{Camera, Matter, Scene};
 use super::with_part;
 use crate::args::{FrameRange, RenderArgs, Target, TargetKind};
 use crate::exit::Stop;
+use crate::pending::Layer;
 
 /// What is to be drawn, from the scene and the command line.
 pub(crate) struct Plan {
