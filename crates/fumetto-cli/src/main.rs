@@ -8,7 +8,6 @@ mod files;
 mod gpu;
 mod interrupt;
 mod output;
-mod pending;
 mod progress;
 mod render;
 mod scene;

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use anyhow::Context as _;
-use fumetto::{Engine, Player, Shot};
+use fumetto::{Engine, Layer, Player, Shot};
 use fumetto_formats::{Image, is_sequence};
 use fumetto_scene::{Matter, Scene};
 
@@ -11,7 +11,6 @@ use crate::console;
 use crate::files::SceneFolder;
 use crate::gpu::{self, Trouble};
 use crate::interrupt::Interrupt;
-use crate::pending::{Layer, Pending as _};
 
 /// Frames that are simulated before Ctrl-C is asked for and the device is waited for: few enough to
 /// stop within moments, enough to keep the device busy.
@@ -82,7 +81,7 @@ impl Stage {
     }
 
     /// The pictures of all puffs side by side, each with its name.
-    pub(crate) fn atlas(&mut self) -> anyhow::Result<Vec<(&'static str, Image)>> {
+    pub(crate) fn atlas(&self) -> anyhow::Result<Vec<(&'static str, Image)>> {
         let pictures = self.engine.atlas(&self.player);
         self.trouble.check()?;
         Ok(pictures?)

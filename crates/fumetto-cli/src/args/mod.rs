@@ -8,8 +8,7 @@ mod target;
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
-
-use crate::pending::Layer;
+use fumetto::Layer;
 
 pub(crate) use self::{
     frames::FrameRange,
@@ -85,7 +84,7 @@ pub(crate) struct RenderArgs {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=4))]
     pub(crate) antialias: Option<u32>,
     /// Write these layers beside each .png, as in `smoke.0001.normal.png`: normal, depth, id, alpha, ink.
-    #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = layer)]
+    #[arg(long, value_name = "LIST", value_delimiter = ',')]
     pub(crate) layers: Vec<Layer>,
     /// Skip the frames of a sequence whose files are there already.
     #[arg(long)]
@@ -138,11 +137,4 @@ pub(crate) enum Template {
     Cloud,
     /// A burst, a fireball and what is left of it.
     Explosion,
-}
-
-fn layer(name: &str) -> Result<Layer, String> {
-    name.parse().map_err(|_| {
-        let known: Vec<String> = Layer::ALL.iter().map(ToString::to_string).collect();
-        format!("the layers are {}", known.join(", "))
-    })
 }

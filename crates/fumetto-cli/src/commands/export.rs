@@ -13,7 +13,7 @@ use crate::{console, output, scene};
 pub(crate) fn run(args: &ExportArgs) -> anyhow::Result<ExitCode> {
     let opened = scene::open(&args.scene)?;
     output::check(Path::new(&args.out))?;
-    let mut stage = Stage::new(&args.scene.scene, opened.scene, opened.folder)?;
+    let stage = Stage::new(&args.scene.scene, opened.scene, opened.folder)?;
     for (part, image) in stage.atlas()? {
         let name = with_part(&args.out, part);
         output::write(Path::new(&name), |draft| write_png(&image, draft))?;

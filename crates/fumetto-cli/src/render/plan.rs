@@ -1,13 +1,12 @@
 use std::path::Path;
 
-use fumetto::Shot;
+use fumetto::{Layer, Shot};
 use fumetto_formats::{is_sequence, sequence_path};
 use fumetto_scene::{Camera, Matter, Scene};
 
 use super::with_part;
 use crate::args::{FrameRange, RenderArgs, Target, TargetKind};
 use crate::exit::Stop;
-use crate::pending::Layer;
 
 /// What is to be drawn, from the scene and the command line.
 pub(crate) struct Plan {

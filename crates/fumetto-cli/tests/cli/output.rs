@@ -52,7 +52,6 @@ fn pictures_are_as_readable_as_other_files() {
 }
 
 #[test]
-#[ignore = "the engine does not hand out layers yet"]
 fn layers_lie_beside_the_picture() {
     let folder = Folder::with_smoke();
     let args =
@@ -70,7 +69,6 @@ fn layers_lie_beside_the_picture() {
 }
 
 #[test]
-#[ignore = "the engine does not hand out its atlas yet"]
 fn the_atlas_is_exported_in_three_pictures() {
     let folder = Folder::with_smoke();
     folder.run(&["export", "smoke.toml", "-o", "puffs.png"]).ends(0).says(&["wrote puffs.normal.png"]);
