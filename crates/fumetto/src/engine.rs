@@ -2,11 +2,12 @@ use fumetto_formats::Image;
 use fumetto_scene::{Camera, Scene};
 
 use crate::{
-    Assets, Error, Player,
+    Assets, Error, Layer, Player,
     frame::Painter,
     gpu::{Frame, Gpu, TexturePool, read_texture},
     particles::Particles,
     player::PlayedMatter,
+    proof::atlas_pictures,
     shapes::puffs::Present,
 };
 
@@ -141,14 +142,40 @@ impl Engine {
     /// # Errors
     /// When the picture is too large for the device.
     pub fn draw(&mut self, player: &Player, shot: &Shot, target: &wgpu::TextureView) -> Result<(), Error> {
+        self.check_size(shot)?;
+        self.painter.paint(&self.gpu, &self.pool, player, shot, target);
+        self.pool.end_frame();
+        Ok(())
+    }
+
+    /// One of the layers that the moment's picture is made of, all objects together, one sample a pixel.
+    /// Waits for the device.
+    ///
+    /// # Errors
+    /// When the picture is too large for the device, or the device is lost.
+    pub fn layer(&mut self, player: &Player, shot: &Shot, layer: Layer) -> Result<Image, Error> {
+        let shot = Shot { antialias: 1, ..shot.clone() };
+        self.check_size(&shot)?;
+        let proof = self.painter.proof(&self.gpu, &self.pool, player, &shot);
+        Ok(proof.picture(&self.gpu, layer)?)
+    }
+
+    /// The puff atlas as pictures, each with its name: `normal`, `depth` and `coverage`. Waits for the
+    /// device.
+    ///
+    /// # Errors
+    /// When the device is lost.
+    pub fn atlas(&self, player: &Player) -> Result<Vec<(&'static str, Image)>, Error> {
+        Ok(atlas_pictures(&self.gpu, &player.puffs.atlas)?)
+    }
+
+    fn check_size(&self, shot: &Shot) -> Result<(), Error> {
         let needed = u64::from(shot.size[0].max(shot.size[1])) * u64::from(shot.antialias);
         let allowed = self.gpu.device.limits().max_texture_dimension_2d;
         if needed > u64::from(allowed) {
             let [width, height] = shot.size;
             return Err(Error::TooLarge { width, height, antialias: shot.antialias, needed, allowed });
         }
-        self.painter.paint(&self.gpu, &self.pool, player, shot, target);
-        self.pool.end_frame();
         Ok(())
     }
 

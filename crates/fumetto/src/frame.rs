@@ -1,17 +1,18 @@
 //! How a picture is drawn: the page that reads as it happens, top to bottom.
 
-use fumetto_scene::{Matter, Object};
 use glam::Vec3;
 
 use crate::{
     Player, Shot,
-    gpu::{Compact, DrawList, Frame, Gpu, TexturePool, Transient, View},
+    cels::{Cel, cels},
+    gpu::{Compact, DrawList, Frame, Gpu, Listing, TexturePool, Transient, View},
     ink::{Gather, Outline},
     layers::Layers,
     light::{LightsUniform, Shadows, Soften, Stencil},
     object::ObjectStyle,
-    shapes::puffs::{Body, FRONT, Form, INK, Normal, Occlusion, PuffScene, Pyramid, REST, VERTICES},
-    tone::{CEL_FORMAT, Compose, Flat, Under},
+    proof::Proof,
+    shapes::puffs::{Body, FRONT, Form, INK, Normal, Occlusion, PuffScene, Pyramid, REST, Subject, VERTICES},
+    tone::{CEL_FORMAT, Compose, Copied, Flat, InkedCel, Sprites, Under},
 };
 
 /// Shadows are cleaned over this many times the length that tones are: their specks come of single puffs,
@@ -30,6 +31,8 @@ pub(crate) struct Painter {
     outline: Outline,
     gather: Gather,
     flat: Flat,
+    sprites: Sprites,
+    copied: Copied,
     compose: Compose,
     room: Option<Room>,
 }
@@ -52,11 +55,6 @@ struct Setting<'a> {
     samples: u32,
 }
 
-/// Objects that are drawn into layers of their own, like an animator's cels.
-struct Cel {
-    members: Vec<usize>,
-}
-
 impl Painter {
     pub(crate) fn new(gpu: &Gpu) -> Self {
         Self {
@@ -70,6 +68,8 @@ impl Painter {
             outline: Outline::new(gpu),
             gather: Gather::new(gpu),
             flat: Flat::new(gpu),
+            sprites: Sprites::new(gpu),
+            copied: Copied::new(gpu),
             compose: Compose::new(gpu),
             room: None,
         }
@@ -84,16 +84,12 @@ impl Painter {
         shot: &Shot,
         target: &wgpu::TextureView,
     ) {
-        let view = View::new(&shot.camera, shot.size.map(|pixels| pixels * shot.antialias));
+        let setting = self.set(gpu, player, shot);
         let scene = player.scene();
-        let shadows = scene.objects.iter().any(|object| object.visible && object.style.shadow.on);
-        let lights = LightsUniform::new(&scene.lights, shadows);
-        let setting = Setting { player, view, lights, samples: shot.antialias };
-        self.make_room(gpu, &player.puffs, view.size);
 
         let mut picture: Option<Transient> = None;
         let mut opaque: Option<Layers> = None;
-        let cels = cels(&scene.objects, Vec3::from(shot.camera.eye));
+        let cels = cels(scene, Vec3::from(shot.camera.eye));
         for (index, cel) in cels.iter().enumerate() {
             write_styles(gpu, &setting, cel);
             let mut frame = Frame::new(gpu, pool, "frame");
@@ -101,7 +97,7 @@ impl Painter {
             let is_last = index + 1 == cels.len();
             let next = (!is_last).then(|| frame.texture("frame.picture", shot.size, CEL_FORMAT));
             let to = next.as_deref().unwrap_or(target);
-            let layers = self.paint_cel(&mut frame, &setting, opaque.as_ref(), under, to);
+            let layers = self.paint_cel(&mut frame, &setting, cel, opaque.as_ref(), under, to);
             frame.submit();
             // Transparent cels are drawn over the opaque one, and are hidden by it where it is nearer.
             opaque = opaque.or(Some(layers));
@@ -109,78 +105,122 @@ impl Painter {
         }
     }
 
+    /// Fills the layers with all objects at once, to be looked at.
+    pub(crate) fn proof(&mut self, gpu: &Gpu, pool: &TexturePool, player: &Player, shot: &Shot) -> Proof {
+        let setting = self.set(gpu, player, shot);
+        let visible = |index: &usize| player.scene().objects[*index].visible;
+        let members = (0..player.scene().objects.len()).filter(visible).collect();
+        write_styles(gpu, &setting, &Cel { members, pre_shaded: false });
+        let mut frame = Frame::new(gpu, pool, "proof");
+        let (view, lights) = setting.uniforms(&frame);
+        let subject = Subject { scene: &player.puffs, view: &view, lights: &lights };
+        let room = self.room.as_ref().expect("setting makes room");
+        let layers = self.fill(&mut frame, subject, room, setting.view.size, None);
+        self.form.record(&mut frame, subject.scene);
+        let normal = self.normal.record(&mut frame, subject, &layers, 1);
+        let ink = self.outline.record(&mut frame, subject, &room.inks, &layers);
+        frame.submit();
+        Proof { depth: layers.depth, id: layers.id, normal, ink }
+    }
+
+    /// Looks at the scene, and makes room for what it takes to draw it.
+    fn set<'a>(&mut self, gpu: &Gpu, player: &'a Player, shot: &Shot) -> Setting<'a> {
+        let view = View::new(&shot.camera, shot.size.map(|pixels| pixels * shot.antialias));
+        self.make_room(gpu, &player.puffs, view.size);
+        let scene = player.scene();
+        let shadows = scene.objects.iter().any(|object| object.visible && object.style.shadow.on);
+        let lights = LightsUniform::new(&scene.lights, shadows);
+        Setting { player, view, lights, samples: shot.antialias }
+    }
+
     /// Draws one cel over what lies under it. Answers with the layers it filled.
     fn paint_cel(
         &self,
         frame: &mut Frame<'_>,
         setting: &Setting<'_>,
+        cel: &Cel,
         opaque: Option<&Layers>,
         under: Under<'_>,
         target: &wgpu::TextureView,
     ) -> Layers {
         let room = self.room.as_ref().expect("room is made before a cel is painted");
-        let scene = &setting.player.puffs;
-        let view = frame.uniform("frame.view", &setting.view.uniform);
-        let lights = frame.uniform("frame.lights", &setting.lights);
-        let step = if setting.clean_px() >= 2.0 { 2 } else { 1 };
+        let (view, lights) = setting.uniforms(frame);
+        let subject = Subject { scene: &setting.player.puffs, view: &view, lights: &lights };
 
-        if opaque.is_none() {
-            self.form.record(frame, scene);
-        }
-        let layers = Layers::new(frame, setting.view.size);
-        layers.begin(frame, opaque);
-        self.occlusion.front(frame, &view, scene, &room.pyramid, &room.flags);
-        self.compact.record(frame, &room.flags, scene.count, FRONT, VERTICES, &room.list);
-        self.body.record(frame, &view, scene, &room.list, layers.target());
-        self.occlusion.rest(frame, &view, scene, &room.pyramid, &room.flags, &layers.depth);
-        self.compact.record(frame, &room.flags, scene.count, REST, VERTICES, &room.list);
-        self.body.record(frame, &view, scene, &room.list, layers.target());
-        self.compact.record(frame, &room.flags, scene.count, INK, VERTICES, &room.inks);
+        let layers = self.fill(frame, subject, room, setting.view.size, opaque);
+        let shadow = self.shadow(frame, subject, setting, room, &layers);
+        let painted = self.tone(frame, subject, setting, cel, (&layers, &shadow));
+        let ink = self.outline.record(frame, subject, &room.inks, &layers);
+        let around = self.gather.record(frame, &ink, layers.size, setting.ink_length_px());
+        let inked = InkedCel { cel: &painted, ink: &ink, around: &around };
+        self.compose.record(frame, subject, inked, under, (setting.samples, opaque.is_none()), target);
+        layers
+    }
 
-        let normal = self.normal.record(frame, &view, scene, &layers, step);
+    /// Fills the layers, and lists what is to be inked.
+    fn fill(
+        &self,
+        frame: &mut Frame<'_>,
+        subject: Subject<'_>,
+        room: &Room,
+        size: [u32; 2],
+        nearer: Option<&Layers>,
+    ) -> Layers {
+        let listing = |mask| Listing { items: subject.scene.count, mask, vertices: VERTICES };
+        let layers = Layers::new(frame, size);
+        layers.begin(frame, nearer);
+        self.occlusion.front(frame, subject, &room.pyramid, &room.flags);
+        self.compact.record(frame, &room.flags, listing(FRONT), &room.list);
+        self.body.record(frame, subject, &room.list, layers.target());
+        self.occlusion.rest(frame, subject, &room.pyramid, &room.flags, &layers.depth);
+        self.compact.record(frame, &room.flags, listing(REST), &room.list);
+        self.body.record(frame, subject, &room.list, layers.target());
+        self.compact.record(frame, &room.flags, listing(INK), &room.inks);
+        layers
+    }
+
+    /// Finds which lights are kept away.
+    fn shadow(
+        &self,
+        frame: &mut Frame<'_>,
+        subject: Subject<'_>,
+        setting: &Setting<'_>,
+        room: &Room,
+        layers: &Layers,
+    ) -> Transient {
+        let step = setting.stencil_step();
         let stencil = Stencil {
             compact: &self.compact,
             flags: &room.flags,
             list: &room.list,
             pyramid: &room.pyramid,
-            step: setting.stencil_step(),
-            settle: (SETTLE * setting.clean_px() / setting.stencil_step() as f32).round() as u32,
-        };
-        let shadow = self.shadows.record(frame, &view, (&setting.lights, &lights), scene, &layers, &stencil);
-        let normal = self.soften(frame, setting, normal, step);
-        let cel = self.flat.record(
-            frame,
-            &view,
-            &lights,
-            scene,
-            &layers,
-            (&normal, &shadow),
             step,
-            &setting.player.ramps,
-        );
-        let ink = self.outline.record(frame, &view, &lights, scene, &room.inks, &layers);
-        let around = self.gather.record(frame, &ink, layers.size, setting.ink_length_px());
-        self.compose.record(
-            frame,
-            scene,
-            &cel,
-            (&ink, &around),
-            under,
-            (setting.samples, opaque.is_none()),
-            target,
-        );
-        layers
+            settle: (SETTLE * setting.clean_px() / step as f32).round() as u32,
+        };
+        self.shadows.record(frame, subject, &setting.lights, layers, &stencil)
     }
 
-    fn soften(
+    /// Paints flat colours.
+    fn tone(
         &self,
         frame: &mut Frame<'_>,
+        subject: Subject<'_>,
         setting: &Setting<'_>,
-        normal: Transient,
-        step: u32,
+        cel: &Cel,
+        (layers, shadow): (&Layers, &Transient),
     ) -> Transient {
+        let ramps = &setting.player.ramps;
+        if cel.pre_shaded {
+            let sprites = self.sprites.record(frame, subject, ramps);
+            return self.copied.record(frame, subject, layers, shadow, &sprites, ramps);
+        }
+        let step = if setting.clean_px() >= 2.0 { 2 } else { 1 };
         let radius = (setting.clean_px() / step as f32).round() as u32;
-        if radius == 0 { normal } else { self.soften.record(frame, &setting.view, normal, radius, step) }
+        self.form.record(frame, subject.scene);
+        let normal = self.normal.record(frame, subject, layers, step);
+        let normal =
+            if radius == 0 { normal } else { self.soften.record(frame, &setting.view, normal, radius, step) };
+        self.flat.record(frame, subject, layers, (&normal, shadow), step, ramps)
     }
 
     fn make_room(&mut self, gpu: &Gpu, scene: &PuffScene, size: [u32; 2]) {
@@ -204,6 +244,11 @@ impl Painter {
 }
 
 impl Setting<'_> {
+    /// The view and the lights as shaders take them.
+    fn uniforms(&self, frame: &Frame<'_>) -> (wgpu::Buffer, wgpu::Buffer) {
+        (frame.uniform("frame.view", &self.view.uniform), frame.uniform("frame.lights", &self.lights))
+    }
+
     /// Length of the shortest line that any object keeps, in samples.
     fn ink_length_px(&self) -> f32 {
         let objects = (0..).zip(&self.player.scene().objects);
@@ -225,52 +270,6 @@ impl Setting<'_> {
         let scale = |height_px| self.view.size[1] as f32 / height_px;
         let objects = &self.player.scene().objects;
         objects.iter().map(|object| object.style.clean_px * scale(object.style.height_px)).fold(0.0, f32::max)
-    }
-}
-
-/// Opaque objects share the first cel; every object that light goes through has its own, the farthest
-/// first.
-fn cels(objects: &[Object], eye: Vec3) -> Vec<Cel> {
-    let (mut opaque, mut clear) = (Vec::new(), Vec::new());
-    for (index, object) in objects.iter().enumerate().filter(|(_, object)| object.visible) {
-        if is_opaque(object) { opaque.push(index) } else { clear.push(index) }
-    }
-    clear.sort_by(|&a, &b| {
-        let distance = |index: usize| anchor(&objects[index]).distance(eye);
-        distance(b).total_cmp(&distance(a))
-    });
-    let clear = clear.into_iter().map(|index| Cel { members: vec![index] });
-    std::iter::once(Cel { members: opaque }).chain(clear).collect()
-}
-
-fn is_opaque(object: &Object) -> bool {
-    let fades = match &object.matter {
-        Matter::Smoke(smoke) => smoke
-            .emitters
-            .iter()
-            .any(|emitter| emitter.opacity_over_life.points.iter().any(|&[_, opacity]| opacity < 1.0)),
-        Matter::Still(_) | Matter::File(_) => false,
-    };
-    object.opacity >= 1.0 && !fades
-}
-
-/// Where an object roughly is, to order cels by.
-fn anchor(object: &Object) -> Vec3 {
-    use fumetto_scene::EmitterShape as Shape;
-    let mean = |places: &mut dyn Iterator<Item = Vec3>| {
-        let (sum, count) = places.fold((Vec3::ZERO, 0.0), |(sum, count), place| (sum + place, count + 1.0));
-        sum / f32::max(count, 1.0)
-    };
-    match &object.matter {
-        Matter::Still(particles) => mean(&mut particles.iter().map(|particle| particle.center.into())),
-        Matter::File(_) => Vec3::ZERO,
-        Matter::Smoke(smoke) => mean(&mut smoke.emitters.iter().map(|emitter| match emitter.shape {
-            Shape::Point { center }
-            | Shape::Disc { center, .. }
-            | Shape::Sphere { center, .. }
-            | Shape::Box { center, .. } => center.into(),
-            Shape::Line { from, to } => 0.5 * (Vec3::from(from) + Vec3::from(to)),
-        })),
     }
 }
 

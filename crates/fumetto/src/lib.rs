@@ -22,6 +22,7 @@
 //! ```
 
 mod assets;
+mod cels;
 mod engine;
 mod error;
 mod frame;
@@ -32,6 +33,7 @@ mod light;
 mod object;
 mod particles;
 mod player;
+mod proof;
 mod shapes;
 mod tone;
 
@@ -40,3 +42,4 @@ pub use engine::{Engine, PICTURE_FORMAT, Shot};
 pub use error::Error;
 pub use gpu::{Gpu, GpuError, read_texture};
 pub use player::Player;
+pub use proof::{Layer, UnknownLayer};

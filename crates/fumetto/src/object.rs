@@ -67,3 +67,11 @@ impl ObjectStyle {
         self.ink_shortest_px
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gpu::layout_test;
+
+    layout_test!(lies_as_its_twin: ObjectStyle, "ObjectStyle" of "tone/flat" { ink_colour, ink_width_px, ink_width_m, ink_offset, ink_inner, ink_lit_thinning, ink_shortest_px, form, wrap, opacity, ramp_row, shadow_reach, shadow_start, shadow_size, flags, form_scale });
+}

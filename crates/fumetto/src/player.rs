@@ -61,7 +61,7 @@ impl Player {
     pub(crate) fn new(gpu: &Gpu, scene: Scene, assets: Box<dyn Assets>) -> Result<Self, Error> {
         check_room(gpu, &scene)?;
         let mut notes = Vec::new();
-        let first_frame = scene.time.frames[0];
+        let first_frame = scene.time.frames[0] - scene.time.frames[0] % scene.time.hold;
         let (variants, atlas) = atlas(gpu, &scene)?;
         let mut objects = Vec::with_capacity(scene.objects.len());
         for (index, object) in (0..).zip(&scene.objects) {

@@ -23,6 +23,17 @@ pub(crate) struct DrawList {
     before: wgpu::Buffer,
 }
 
+/// Which items go on a list.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Listing {
+    /// Only the first so many are looked at.
+    pub(crate) items: u32,
+    /// Those whose flags share a bit with this are listed.
+    pub(crate) mask: u32,
+    /// Vertices that each of them is drawn with.
+    pub(crate) vertices: u32,
+}
+
 #[repr(C)]
 #[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
 struct CompactionUniform {
@@ -59,15 +70,12 @@ impl Compact {
         Self { count, scan, scatter }
     }
 
-    /// Lists the first `items` items whose `flags` share a bit with `mask`; each is drawn with
-    /// `vertices` vertices.
+    /// Lists the items whose `flags` say so.
     pub(crate) fn record(
         &self,
         frame: &mut Frame<'_>,
         flags: &wgpu::Buffer,
-        items: u32,
-        mask: u32,
-        vertices: u32,
+        Listing { items, mask, vertices }: Listing,
         list: &DrawList,
     ) {
         let uniform =
@@ -84,4 +92,12 @@ impl Compact {
         frame.compute("gpu.compact.scan", &self.scan, &bindings, [1, 1, 1]);
         frame.compute("gpu.compact.scatter", &self.scatter, &bindings, runs);
     }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gpu::layout_test;
+
+    layout_test!(lies_as_its_twin: CompactionUniform, "Compaction" of "gpu/compact" { items, mask, vertices });
 }

@@ -3,6 +3,8 @@
 mod compact;
 mod device;
 mod kernels;
+#[cfg(test)]
+mod layout;
 mod pass;
 mod pool;
 mod readback;
@@ -11,10 +13,12 @@ mod view;
 
 pub use device::{Gpu, GpuError};
 #[cfg(test)]
+pub(crate) use layout::{assert_twins, layout_test};
+#[cfg(test)]
 pub(crate) use readback::read_buffer;
 pub use readback::read_texture;
 
-pub(crate) use compact::{Compact, DrawList};
+pub(crate) use compact::{Compact, DrawList, Listing};
 pub(crate) use device::{linear_sampler, workgroups};
 pub(crate) use kernels::{Slot, kernels};
 pub(crate) use pass::{Frame, RasterPipeline, Target};

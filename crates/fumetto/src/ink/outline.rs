@@ -3,7 +3,7 @@
 use crate::{
     gpu::{DrawList, Frame, Gpu, RasterPipeline, Target, Transient, shader},
     layers::{self, Layers},
-    shapes::puffs::{Atlas, PuffScene},
+    shapes::puffs::{Atlas, Subject},
 };
 
 /// Number of the inked object + 1, 0 where there is no ink.
@@ -31,25 +31,23 @@ impl Outline {
     pub(crate) fn record(
         &self,
         frame: &mut Frame<'_>,
-        view: &wgpu::Buffer,
-        lights: &wgpu::Buffer,
-        scene: &PuffScene,
+        subject: Subject<'_>,
         list: &DrawList,
         layers: &Layers,
     ) -> Transient {
         let ink = frame.texture("ink.outline", layers.size, INK_FORMAT);
-        let Atlas { view: texture, sampler, uniform, .. } = &scene.atlas;
+        let Atlas { view: texture, sampler, uniform, .. } = &subject.scene.atlas;
         frame.raster(
             "ink.outline",
             &self.pipeline,
             Target::colour(&ink, Some(wgpu::Color::TRANSPARENT)).with_depth_test(&layers.depth),
             &[
-                view.as_entire_binding(),
+                subject.view.as_entire_binding(),
                 uniform.as_entire_binding(),
-                scene.puffs.as_entire_binding(),
+                subject.scene.puffs.as_entire_binding(),
                 list.items.as_entire_binding(),
-                scene.styles.as_entire_binding(),
-                lights.as_entire_binding(),
+                subject.scene.styles.as_entire_binding(),
+                subject.lights.as_entire_binding(),
                 wgpu::BindingResource::TextureView(texture),
                 wgpu::BindingResource::Sampler(sampler),
                 wgpu::BindingResource::TextureView(&layers.id),

@@ -58,3 +58,13 @@ impl LightsUniform {
             .filter_map(|(index, light)| usize::try_from(light.channel).ok().map(|channel| (index, channel)))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gpu::layout_test;
+
+    layout_test!(all_lie_as_their_twin: LightsUniform, "Lights" of "tone/flat" { lights as light, count });
+
+    layout_test!(one_lies_as_its_twin: LightUniform, "Light" of "tone/flat" { vector, is_point, intensity, channel });
+}

@@ -8,10 +8,11 @@
 use super::LightsUniform;
 use crate::{
     gpu::{
-        Compact, DrawList, Frame, Gpu, RasterPipeline, Slot, Target, Transient, kernels, shader, workgroups,
+        Compact, DrawList, Frame, Gpu, Listing, RasterPipeline, Slot, Target, Transient, kernels, shader,
+        workgroups,
     },
     layers::Layers,
-    shapes::puffs::{Atlas, PuffScene, Pyramid},
+    shapes::puffs::{Atlas, Pyramid, Subject},
 };
 
 const STENCIL_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth24PlusStencil8;
@@ -120,12 +121,16 @@ impl Shadows {
     pub(crate) fn record(
         &self,
         frame: &mut Frame<'_>,
-        view: &wgpu::Buffer,
-        lights: (&LightsUniform, &wgpu::Buffer),
-        scene: &PuffScene,
+        subject: Subject<'_>,
+        lights: &LightsUniform,
         layers: &Layers,
         stencil: &Stencil<'_>,
     ) -> Transient {
+        if lights.casting().next().is_none() {
+            let nowhere = frame.texture("light.shadow", [1, 1], SHADOW_FORMAT);
+            frame.clear("light.shadow", Target::colour(&nowhere, Some(wgpu::Color::TRANSPARENT)));
+            return nowhere;
+        }
         let size = layers.size.map(|pixels| pixels.div_ceil(stencil.step));
         let shadow = frame.texture("light.shadow", size, SHADOW_FORMAT);
         let depth = frame.texture("light.stencil", size, STENCIL_FORMAT);
@@ -137,13 +142,14 @@ impl Shadows {
             &[step.as_entire_binding(), wgpu::BindingResource::TextureView(&layers.depth)],
         );
         let mut clear = Some(wgpu::Color::TRANSPARENT);
-        for (light, channel) in lights.0.casting() {
-            self.find_casters(frame, view, (light, lights.1), scene, stencil);
+        for (light, channel) in lights.casting() {
+            self.find_casters(frame, subject, light, stencil);
             let mut clear_stencil = Some(0);
             for (mask, volume) in [AHEAD, ABOUT].into_iter().zip(&self.volumes) {
-                stencil.compact.record(frame, stencil.flags, scene.count, mask, VERTICES, stencil.list);
+                let listing = Listing { items: subject.scene.count, mask, vertices: VERTICES };
+                stencil.compact.record(frame, stencil.flags, listing, stencil.list);
                 let target = Target::default().with_stencil(&depth, None, clear_stencil.take());
-                count(frame, volume, view, (light, lights.1), scene, stencil, target);
+                count(frame, volume, subject, light, stencil, target);
             }
             frame.fullscreen(
                 "light.shadowed",
@@ -172,29 +178,22 @@ impl Shadows {
         shadow
     }
 
-    fn find_casters(
-        &self,
-        frame: &mut Frame<'_>,
-        view: &wgpu::Buffer,
-        (light, lights): (u32, &wgpu::Buffer),
-        scene: &PuffScene,
-        stencil: &Stencil<'_>,
-    ) {
-        let uniform = frame.uniform("light.casters.uniform", &[scene.count, light, 0, 0]);
+    fn find_casters(&self, frame: &mut Frame<'_>, subject: Subject<'_>, light: u32, stencil: &Stencil<'_>) {
+        let uniform = frame.uniform("light.casters.uniform", &[subject.scene.count, light, 0, 0]);
         frame.compute(
             "light.casters",
             &self.casters,
             &[
-                view.as_entire_binding(),
+                subject.view.as_entire_binding(),
                 uniform.as_entire_binding(),
                 stencil.pyramid.uniform.as_entire_binding(),
-                lights.as_entire_binding(),
-                scene.puffs.as_entire_binding(),
-                scene.styles.as_entire_binding(),
+                subject.lights.as_entire_binding(),
+                subject.scene.puffs.as_entire_binding(),
+                subject.scene.styles.as_entire_binding(),
                 stencil.pyramid.nearness.as_entire_binding(),
                 stencil.flags.as_entire_binding(),
             ],
-            workgroups(scene.count),
+            workgroups(subject.scene.count),
         );
     }
 }
@@ -203,27 +202,26 @@ impl Shadows {
 fn count(
     frame: &mut Frame<'_>,
     volume: &wgpu::RenderPipeline,
-    view: &wgpu::Buffer,
-    (light, lights): (u32, &wgpu::Buffer),
-    scene: &PuffScene,
+    subject: Subject<'_>,
+    light: u32,
     stencil: &Stencil<'_>,
     target: Target<'_>,
 ) {
     let casting = CastingUniform { light, step: stencil.step as f32, pad: [0; 2] };
     let casting = frame.uniform("light.volume.uniform", &casting);
-    let Atlas { view: texture, uniform: atlas, .. } = &scene.atlas;
+    let Atlas { view: texture, uniform: atlas, .. } = &subject.scene.atlas;
     frame.raster(
         "light.volume",
         volume,
         target,
         &[
-            view.as_entire_binding(),
+            subject.view.as_entire_binding(),
             atlas.as_entire_binding(),
             casting.as_entire_binding(),
-            lights.as_entire_binding(),
-            scene.puffs.as_entire_binding(),
+            subject.lights.as_entire_binding(),
+            subject.scene.puffs.as_entire_binding(),
             stencil.list.items.as_entire_binding(),
-            scene.styles.as_entire_binding(),
+            subject.scene.styles.as_entire_binding(),
             wgpu::BindingResource::TextureView(texture),
         ],
         |pass| pass.draw_indirect(&stencil.list.draw, 0),
@@ -264,4 +262,12 @@ fn counting() -> wgpu::StencilState {
 fn not_zero() -> wgpu::StencilState {
     let face = wgpu::StencilFaceState { compare: wgpu::CompareFunction::NotEqual, ..Default::default() };
     wgpu::StencilState { front: face, back: face, read_mask: 0xff, write_mask: 0 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gpu::layout_test;
+
+    layout_test!(lies_as_its_twin: CastingUniform, "Casting" of "light/volume" { light, step });
 }

@@ -61,3 +61,11 @@ impl Soften {
         normal
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gpu::layout_test;
+
+    layout_test!(lies_as_its_twin: SoftenUniform, "Soften" of "light/soften" { axis, radius, scale, focal_px });
+}

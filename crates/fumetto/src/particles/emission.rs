@@ -159,3 +159,11 @@ fn shape_uniform(shape: EmitterShape) -> (u32, Vec3, Vec3, f32) {
         EmitterShape::Line { from, to } => (4, from.into(), Vec3::from(to) - Vec3::from(from), 0.0),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gpu::layout_test;
+
+    layout_test!(lies_as_its_twin: StepUniform, "Step" of "particles/step" { time, dt, seed, capacity, first_birth, births, burst, forces, reborn, stagger, from as begin, until, shape, spread_cos, speed_jitter, shape_radius, center, extent, velocity, life, radius, mass });
+}

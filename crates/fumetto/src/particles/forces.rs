@@ -52,3 +52,11 @@ fn gust_at(time: f32) -> f32 {
     const GOLDEN_RATIO: f32 = 1.618_034;
     0.6 * (TAU * time).sin() + 0.4 * (TAU * GOLDEN_RATIO * time + 2.0).sin()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gpu::layout_test;
+
+    layout_test!(lies_as_its_twin: ForceUniform, "Force" of "particles/step" { a, b, kind, octaves, seed });
+}

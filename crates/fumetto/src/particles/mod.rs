@@ -5,3 +5,6 @@ mod emission;
 mod forces;
 
 pub(crate) use emission::{Emission, Particles};
+
+#[cfg(test)]
+mod tests;

@@ -4,7 +4,7 @@ use super::{Backdrop, CEL_FORMAT};
 use crate::{
     gpu::{Frame, Gpu, RasterPipeline, Target, Transient, linear_sampler, shader},
     ink::InkAround,
-    shapes::puffs::PuffScene,
+    shapes::puffs::Subject,
 };
 
 /// The long-lived pipeline.
@@ -15,6 +15,14 @@ pub(crate) struct Compose {
     /// Copies.
     hard: wgpu::RenderPipeline,
     sampler: wgpu::Sampler,
+}
+
+/// A painted cel and its lines.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct InkedCel<'a> {
+    pub(crate) cel: &'a Transient,
+    pub(crate) ink: &'a Transient,
+    pub(crate) around: &'a InkAround,
 }
 
 /// What a cel is laid over.
@@ -55,9 +63,8 @@ impl Compose {
     pub(crate) fn record(
         &self,
         frame: &mut Frame<'_>,
-        scene: &PuffScene,
-        cel: &Transient,
-        (ink, around): (&Transient, &InkAround),
+        subject: Subject<'_>,
+        InkedCel { cel, ink, around }: InkedCel<'_>,
         under: Under<'_>,
         (samples, is_opaque): (u32, bool),
         target: &wgpu::TextureView,
@@ -76,7 +83,7 @@ impl Compose {
             Target::colour(target, Some(wgpu::Color::TRANSPARENT)),
             &[
                 uniform.as_entire_binding(),
-                scene.styles.as_entire_binding(),
+                subject.scene.styles.as_entire_binding(),
                 wgpu::BindingResource::TextureView(cel),
                 wgpu::BindingResource::TextureView(ink),
                 wgpu::BindingResource::TextureView(&around.layer),
@@ -85,4 +92,12 @@ impl Compose {
             ],
         );
     }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gpu::layout_test;
+
+    layout_test!(lies_as_its_twin: ComposeUniform, "Compose" of "tone/compose" { samples, under, cell, window });
 }

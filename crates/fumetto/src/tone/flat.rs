@@ -4,7 +4,7 @@ use super::Ramps;
 use crate::{
     gpu::{Frame, Gpu, RasterPipeline, Target, Transient, linear_sampler, shader},
     layers::{self, Layers},
-    shapes::puffs::PuffScene,
+    shapes::puffs::Subject,
 };
 
 /// A cel: sRGB as it will be in the picture, straight alpha.
@@ -33,9 +33,7 @@ impl Flat {
     pub(crate) fn record(
         &self,
         frame: &mut Frame<'_>,
-        view: &wgpu::Buffer,
-        lights: &wgpu::Buffer,
-        scene: &PuffScene,
+        subject: Subject<'_>,
         layers: &Layers,
         (normal, shadow): (&Transient, &Transient),
         step: u32,
@@ -48,11 +46,11 @@ impl Flat {
             &self.pipeline,
             Target::colour(&cel, Some(wgpu::Color::TRANSPARENT)).with_depth_test(&layers.depth),
             &[
-                view.as_entire_binding(),
+                subject.view.as_entire_binding(),
                 sampling.as_entire_binding(),
-                lights.as_entire_binding(),
-                scene.puffs.as_entire_binding(),
-                scene.styles.as_entire_binding(),
+                subject.lights.as_entire_binding(),
+                subject.scene.puffs.as_entire_binding(),
+                subject.scene.styles.as_entire_binding(),
                 wgpu::BindingResource::TextureView(&layers.id),
                 wgpu::BindingResource::TextureView(&layers.depth),
                 wgpu::BindingResource::TextureView(normal),

@@ -55,12 +55,8 @@ fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
     var amount = 0.0;
     for (var i = 0u; i < lights.count; i++) {
         let light = lights.light[i];
-        let facing = (dot(normal, toward(light, place)) + style.wrap) / (1.0 + style.wrap);
         let kept = light.channel >= 0 && shadow[max(light.channel, 0)] >= 0.5;
-        amount += select(light.intensity * max(facing, 0.0), 0.0, kept);
+        amount += select(diffuse(light, normal, toward(light, place), style.wrap), 0.0, kept);
     }
-    let columns = i32(textureDimensions(ramps).x);
-    let column = clamp(i32(amount * f32(columns)), 0, columns - 1);
-    let colour = textureLoad(ramps, vec2i(column, i32(style.ramp_row)), 0);
-    return vec4f(colour.rgb, style.opacity * puff_fade(puff).y);
+    return vec4f(ramp_colour(ramps, amount, style.ramp_row), style.opacity * puff_fade(puff).y);
 }

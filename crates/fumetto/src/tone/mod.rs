@@ -2,10 +2,14 @@
 
 mod backdrop;
 mod compose;
+mod copied;
 mod flat;
 mod ramps;
+mod sprites;
 
 pub(crate) use backdrop::Backdrop;
-pub(crate) use compose::{Compose, Under};
+pub(crate) use compose::{Compose, InkedCel, Under};
+pub(crate) use copied::Copied;
 pub(crate) use flat::{CEL_FORMAT, Flat};
 pub(crate) use ramps::Ramps;
+pub(crate) use sprites::{MAX_OBJECTS, Sprites};

@@ -24,6 +24,10 @@ pub(crate) struct Atlas {
     pub(crate) view: wgpu::TextureView,
     pub(crate) sampler: wgpu::Sampler,
     pub(crate) uniform: wgpu::Buffer,
+    /// How many there are.
+    pub(crate) variants: u32,
+    /// Width of the largest copy of each.
+    pub(crate) tile_px: u32,
 }
 
 /// The puffs' pictures do not fit into one texture.
@@ -95,7 +99,7 @@ impl Atlas {
         };
         let uniform = frame.uniform("shapes.puffs.atlas.uniform", &uniform);
         frame.submit();
-        Ok(Self { view, texture, sampler: linear_sampler(gpu), uniform })
+        Ok(Self { view, texture, sampler: linear_sampler(gpu), uniform, variants, tile_px })
     }
 }
 
@@ -115,4 +119,14 @@ fn render(frame: &mut Frame<'_>, kinds: &[Puffs], tile_px: f32, target: &wgpu::T
         Target::colour(target, Some(wgpu::Color::TRANSPARENT)),
         &[uniform.as_entire_binding(), balls.as_entire_binding(), holes.as_entire_binding()],
     );
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gpu::layout_test;
+
+    layout_test!(bundles_lie_as_their_twin: BundlesUniform, "Bundles" of "shapes/puffs/atlas" { tile_px, extent, balls, holes });
+
+    layout_test!(the_atlas_lies_as_its_twin: AtlasUniform, "Atlas" of "shapes/puffs/body" { variants, tile_px, levels });
 }

@@ -1,13 +1,13 @@
 //! Draws puffs into the depth and id layers.
 
-use super::{atlas::Atlas, scene::PuffScene};
+use super::{atlas::Atlas, scene::Subject};
 use crate::{
     gpu::{DrawList, Frame, Gpu, RasterPipeline, Target, shader},
     layers,
 };
 
-/// Vertices of a puff's billboard: one triangle.
-pub(crate) const VERTICES: u32 = 3;
+/// Vertices of a puff's billboard.
+pub(crate) const VERTICES: u32 = 6;
 
 /// The long-lived pipeline.
 #[derive(Debug)]
@@ -31,20 +31,19 @@ impl Body {
     pub(crate) fn record(
         &self,
         frame: &mut Frame<'_>,
-        view: &wgpu::Buffer,
-        scene: &PuffScene,
+        subject: Subject<'_>,
         list: &DrawList,
         target: Target<'_>,
     ) {
-        let Atlas { view: texture, sampler, uniform, .. } = &scene.atlas;
+        let Atlas { view: texture, sampler, uniform, .. } = &subject.scene.atlas;
         frame.raster(
             "shapes.puffs.body",
             &self.pipeline,
             target,
             &[
-                view.as_entire_binding(),
+                subject.view.as_entire_binding(),
                 uniform.as_entire_binding(),
-                scene.puffs.as_entire_binding(),
+                subject.scene.puffs.as_entire_binding(),
                 list.items.as_entire_binding(),
                 wgpu::BindingResource::TextureView(texture),
                 wgpu::BindingResource::Sampler(sampler),

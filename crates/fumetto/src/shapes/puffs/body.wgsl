@@ -21,10 +21,10 @@ struct Corner {
 
 @vertex
 fn vertex(@builtin(vertex_index) index: u32) -> Corner {
-    let id = list[index / 3u];
+    let id = list[index / 6u];
     let puff = puffs[id];
     let sprite = sprite_of(puff);
-    let offset = TRIANGLE[index % 3u] * sprite.radius_px;
+    let offset = SQUARE[index % 6u] * sprite.radius_px;
     let p = puff_from_px(offset, sprite.radius_px, puff_rotation(puff));
     return Corner(
         // At its nearest depth, so that pixels are only ever pushed back.

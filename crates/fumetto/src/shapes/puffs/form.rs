@@ -138,3 +138,11 @@ impl Form {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gpu::layout_test;
+
+    layout_test!(lies_as_its_twin: ObjectUniform, "Object" of "shapes/puffs/form" { first, count, index, side });
+}

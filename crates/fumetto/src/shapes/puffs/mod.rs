@@ -20,4 +20,4 @@ pub(crate) use form::Form;
 pub(crate) use normal::Normal;
 pub(crate) use occlusion::{FRONT, INK, Occlusion, Pyramid, REST};
 pub(crate) use present::{Placement, Present, still_puffs};
-pub(crate) use scene::{PuffObject, PuffScene};
+pub(crate) use scene::{PuffObject, PuffScene, Subject};

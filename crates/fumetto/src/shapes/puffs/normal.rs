@@ -1,6 +1,6 @@
 //! Works out the normals of what the id layer shows.
 
-use super::{atlas::Atlas, scene::PuffScene};
+use super::{atlas::Atlas, scene::Subject};
 use crate::{
     gpu::{Frame, Gpu, RasterPipeline, Target, Transient, shader},
     layers::{self, Layers},
@@ -36,15 +36,14 @@ impl Normal {
     pub(crate) fn record(
         &self,
         frame: &mut Frame<'_>,
-        view: &wgpu::Buffer,
-        scene: &PuffScene,
+        subject: Subject<'_>,
         layers: &Layers,
         step: u32,
     ) -> Transient {
         let size = layers.size.map(|pixels| pixels.div_ceil(step));
         let normal = frame.texture("layers.normal", size, layers::NORMAL_FORMAT);
-        let Atlas { view: texture, sampler, uniform, .. } = &scene.atlas;
-        let form = &scene.form;
+        let Atlas { view: texture, sampler, uniform, .. } = &subject.scene.atlas;
+        let form = &subject.scene.form;
         let sampling =
             SamplingUniform { step, form_side: form.side as f32, form_objects: form.objects as f32, pad: 0 };
         let sampling = frame.uniform("shapes.puffs.normal.sampling", &sampling);
@@ -53,11 +52,11 @@ impl Normal {
             &self.pipeline,
             Target::colour(&normal, Some(wgpu::Color::TRANSPARENT)),
             &[
-                view.as_entire_binding(),
+                subject.view.as_entire_binding(),
                 uniform.as_entire_binding(),
                 sampling.as_entire_binding(),
-                scene.puffs.as_entire_binding(),
-                scene.styles.as_entire_binding(),
+                subject.scene.puffs.as_entire_binding(),
+                subject.scene.styles.as_entire_binding(),
                 form.grids.as_entire_binding(),
                 wgpu::BindingResource::TextureView(texture),
                 wgpu::BindingResource::Sampler(sampler),
@@ -68,4 +67,12 @@ impl Normal {
         );
         normal
     }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gpu::layout_test;
+
+    layout_test!(lies_as_its_twin: SamplingUniform, "Sampling" of "shapes/puffs/normal" { step, form_side, form_objects });
 }

@@ -1,7 +1,7 @@
 //! Which puffs can be seen at all, found in two phases: a few that surely can are drawn first, then a
 //! pyramid over their depth tells which of the others they hide.
 
-use super::scene::PuffScene;
+use super::scene::Subject;
 use crate::gpu::{Frame, Gpu, Slot, kernels, shader, workgroups};
 
 /// Width of a cell of the finest level, in pixels. Also in `pyramid.wgsl`.
@@ -92,8 +92,7 @@ impl Occlusion {
     pub(crate) fn front(
         &self,
         frame: &mut Frame<'_>,
-        view: &wgpu::Buffer,
-        scene: &PuffScene,
+        subject: Subject<'_>,
         pyramid: &Pyramid,
         flags: &wgpu::Buffer,
     ) {
@@ -101,7 +100,7 @@ impl Occlusion {
         for (label, pipeline) in
             [("shapes.puffs.compete", &self.compete), ("shapes.puffs.choose", &self.choose)]
         {
-            flag(frame, label, pipeline, view, scene, pyramid, flags);
+            flag(frame, label, pipeline, subject, pyramid, flags);
         }
     }
 
@@ -110,8 +109,7 @@ impl Occlusion {
     pub(crate) fn rest(
         &self,
         frame: &mut Frame<'_>,
-        view: &wgpu::Buffer,
-        scene: &PuffScene,
+        subject: Subject<'_>,
         pyramid: &Pyramid,
         flags: &wgpu::Buffer,
         depth: &wgpu::TextureView,
@@ -129,7 +127,7 @@ impl Occlusion {
                 [width.div_ceil(16), height.div_ceil(16), 1],
             );
         }
-        flag(frame, "shapes.puffs.cull", &self.cull, view, scene, pyramid, flags);
+        flag(frame, "shapes.puffs.cull", &self.cull, subject, pyramid, flags);
     }
 }
 
@@ -137,24 +135,23 @@ fn flag(
     frame: &mut Frame<'_>,
     label: &str,
     pipeline: &wgpu::ComputePipeline,
-    view: &wgpu::Buffer,
-    scene: &PuffScene,
+    subject: Subject<'_>,
     pyramid: &Pyramid,
     flags: &wgpu::Buffer,
 ) {
-    let range = frame.uniform("shapes.puffs.range", &[scene.count, 0, 0, 0]);
+    let range = frame.uniform("shapes.puffs.range", &[subject.scene.count, 0, 0, 0]);
     frame.compute(
         label,
         pipeline,
         &[
-            view.as_entire_binding(),
+            subject.view.as_entire_binding(),
             range.as_entire_binding(),
             pyramid.uniform.as_entire_binding(),
-            scene.puffs.as_entire_binding(),
-            scene.styles.as_entire_binding(),
+            subject.scene.puffs.as_entire_binding(),
+            subject.scene.styles.as_entire_binding(),
             pyramid.nearness.as_entire_binding(),
             flags.as_entire_binding(),
         ],
-        workgroups(scene.count),
+        workgroups(subject.scene.count),
     );
 }

@@ -140,3 +140,13 @@ fn present_uniform(emitter: &Emitter, capacity: u32, placement: Placement) -> Pr
         curves,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gpu::layout_test;
+
+    layout_test!(puffs_lie_as_their_twin: Puff, "Puff" of "shapes/puffs/present" { center, radius, look, fade, mass });
+
+    layout_test!(the_uniform_lies_as_its_twin: PresentUniform, "Present" of "shapes/puffs/present" { capacity, first, object, first_variant, variants, size, seed, curves });
+}

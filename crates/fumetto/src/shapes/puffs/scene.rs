@@ -16,6 +16,16 @@ pub(crate) struct PuffScene {
     pub(crate) objects: Vec<PuffObject>,
 }
 
+/// What a cel is drawn of: puffs, from where, and in which light.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Subject<'a> {
+    pub(crate) scene: &'a PuffScene,
+    /// `View` of `view.wgsl`.
+    pub(crate) view: &'a wgpu::Buffer,
+    /// `Lights` of `lights.wgsl`.
+    pub(crate) lights: &'a wgpu::Buffer,
+}
+
 /// One object's share of the puffs.
 #[derive(Clone, Debug)]
 pub(crate) struct PuffObject {

@@ -1,0 +1,95 @@
+//! Simulation against closed forms, on whatever adapter there is.
+
+mod air;
+mod births;
+mod motion;
+mod repeat;
+
+use std::{
+    io,
+    sync::{LazyLock, Mutex, MutexGuard, PoisonError},
+};
+
+use fumetto_scene::{Scene, SceneText};
+use glam::Vec3;
+
+use crate::{Assets, Engine, Gpu, Player, gpu::read_buffer};
+
+/// Building all pipelines takes longer than most tests do: they share one engine.
+static ENGINE: LazyLock<Mutex<Engine>> =
+    LazyLock::new(|| Mutex::new(Engine::new(pollster::block_on(Gpu::headless()).expect("a Vulkan driver"))));
+
+fn engine() -> MutexGuard<'static, Engine> {
+    ENGINE.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// `Particle` of `state.wgsl`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
+struct Particle {
+    position: Vec3,
+    age: f32,
+    velocity: Vec3,
+    life: f32,
+    radius: f32,
+    mass: f32,
+    birth: u32,
+    pad: u32,
+}
+
+crate::gpu::layout_test!(
+    particles_are_read_back_as_they_are: Particle,
+    "Particle" of "particles/step" { position, age, velocity, life, radius, mass, birth }
+);
+
+impl Particle {
+    fn is_alive(&self) -> bool {
+        self.age < self.life
+    }
+}
+
+struct NoFiles;
+
+impl Assets for NoFiles {
+    fn read(&self, _: &str) -> io::Result<Vec<u8>> {
+        Err(io::ErrorKind::NotFound.into())
+    }
+}
+
+/// One emitter at `fps` steps a second; `emitter` holds its keys, `forces` are tables.
+fn play(engine: &Engine, fps: f32, emitter: &str, forces: &[&str]) -> Player {
+    play_seeded(engine, 1, fps, emitter, forces)
+}
+
+fn play_seeded(engine: &Engine, seed: u32, fps: f32, emitter: &str, forces: &[&str]) -> Player {
+    let forces = forces.join(", ");
+    let toml = format!(
+        "format = 1\nseed = {seed}\ncamera = {{ eye = [0, 0, 5], target = [0, 0, 0] }}\n\
+         time = {{ fps = {fps}, frames = [0, 100] }}\n\
+         [[object]]\nname = \"smoke\"\nkind = \"smoke\"\nforce = [{forces}]\n[object.emitter]\n{emitter}\n"
+    );
+    let text = SceneText { name: "test", toml: &toml, ..Default::default() };
+    let loaded = Scene::load(&text, &mut |_| Err("there are no styles".into()));
+    let (scene, _) = loaded.unwrap_or_else(|report| panic!("{}", report.render(false)));
+    engine.play(scene, Box::new(NoFiles)).expect("the scene fits")
+}
+
+/// All slots of the one emitter after `steps` steps.
+fn slots_after(engine: &Engine, player: &mut Player, steps: u32) -> Vec<Particle> {
+    engine.seek(player, steps).expect("there are no files to miss");
+    let emission = player.emissions().next().expect("there is one emitter");
+    read_buffer(engine.gpu(), emission.particles()).expect("the device lives")
+}
+
+/// The living after `steps` steps.
+fn alive_after(engine: &Engine, player: &mut Player, steps: u32) -> Vec<Particle> {
+    let mut particles = slots_after(engine, player, steps);
+    particles.retain(Particle::is_alive);
+    particles
+}
+
+/// Asserts that two vectors are within `tolerance` of each other.
+#[track_caller]
+fn assert_close(actual: Vec3, expected: Vec3, tolerance: f32) {
+    assert!(actual.distance(expected) <= tolerance, "{actual} should be {expected}, within {tolerance}");
+}
