@@ -155,3 +155,11 @@ fn flag(
         workgroups(subject.scene.count),
     );
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gpu::layout_test;
+
+    layout_test!(lies_as_its_twin: PyramidUniform, "Pyramid" of "shapes/puffs/reduce" { levels, level });
+}
