@@ -49,7 +49,9 @@ fn drawn_at(at: vec2i) -> vec4f {
         let style = styles[mark - 1u];
         let cells = vec2f(at) / (compose.cell * vec2f(textureDimensions(around)));
         let inked_px = textureSampleLevel(around, linear, cells, 0.0).x * compose.window;
-        if inked_px >= style.ink_shortest_px * style.ink_width_px {
+        // A line is at least as wide as it is where the light thins it.
+        let narrowest = style.ink_width_px * (1.0 - style.ink_lit_thinning);
+        if inked_px >= style.ink_shortest_px * narrowest * 0.7 {
             return vec4f(style.ink_colour, style.opacity);
         }
     }
