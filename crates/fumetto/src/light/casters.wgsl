@@ -1,8 +1,7 @@
 // Finds the puffs whose shadow volume can touch anything that is seen.
 
-// Bits of a puff's flags: its volume lies before the camera, or reaches about it.
-const AHEAD: u32 = 1u;
-const ABOUT: u32 = 2u;
+// Bit of a puff's flags.
+const CASTS: u32 = 1u;
 
 // Pieces of a volume that are looked at one by one: the whole is as near as its nearest end, though most
 // of it lies deeper.
@@ -50,11 +49,8 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: ve
     var casts = 0u;
     if puff.radius > 0.0 && fade.x < 1.0 && fade.y > 0.0 && (style.flags & THROWS_SHADOW) != 0u {
         let volume = volume_of(puff, style, lights.light[casters.light]);
-        if volume.nearest <= view.near {
-            casts = ABOUT;
-        } else {
-            casts = select(0u, AHEAD, touches(volume));
-        }
+        // One that reaches about the camera may touch anything.
+        casts = select(0u, CASTS, volume.nearest <= view.near || touches(volume));
     }
     flags[item] = casts;
 }

@@ -20,9 +20,8 @@ const STENCIL_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth24PlusSten
 /// A channel for each light: above one half where its light is kept away.
 pub(crate) const SHADOW_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 
-/// Bits of a puff's flags. Also in `casters.wgsl`.
-const AHEAD: u32 = 1;
-const ABOUT: u32 = 2;
+/// Bit of a puff's flags. Also in `casters.wgsl`.
+const CASTS: u32 = 1;
 
 /// Vertices of a shadow volume: two polygons of two triangles.
 const VERTICES: u32 = 12;
@@ -32,8 +31,7 @@ const VERTICES: u32 = 12;
 pub(crate) struct Shadows {
     casters: wgpu::ComputePipeline,
     flatten: wgpu::RenderPipeline,
-    /// For volumes before the camera, and for those about it.
-    volumes: [wgpu::RenderPipeline; 2],
+    volume: wgpu::RenderPipeline,
     /// One for each channel.
     shadowed: [wgpu::RenderPipeline; 4],
     settle: wgpu::RenderPipeline,
@@ -80,23 +78,18 @@ impl Shadows {
             depth: Some(stencil_state(true, wgpu::CompareFunction::Always, wgpu::StencilState::default())),
             ..Default::default()
         };
-        let volume = module(shader!("light/volume"));
-        let volumes = [0.0, 1.0].map(|exact| {
-            let counting = RasterPipeline {
-                label: "light.volume",
-                depth: Some(stencil_state(false, wgpu::CompareFunction::Greater, counting())),
-                constants: &[("EXACT", exact)],
-                ..Default::default()
-            };
-            counting.build(device, &volume)
-        });
+        let volume = RasterPipeline {
+            label: "light.volume",
+            depth: Some(stencil_state(false, wgpu::CompareFunction::Greater, counting())),
+            ..Default::default()
+        };
         let shadowed = module(shader!("light/shadowed"));
         let settle =
             RasterPipeline { label: "light.settle", targets: &[SHADOW_FORMAT], ..Default::default() };
         Self {
             casters,
             flatten: flatten.build(device, &module(shader!("light/flatten"))),
-            volumes,
+            volume: volume.build(device, &module(shader!("light/volume"))),
             settle: settle.build(device, &module(shader!("light/settle"))),
             shadowed: [
                 wgpu::ColorWrites::RED,
@@ -144,13 +137,10 @@ impl Shadows {
         let mut clear = Some(wgpu::Color::TRANSPARENT);
         for (light, channel) in lights.casting() {
             self.find_casters(frame, subject, light, stencil);
-            let mut clear_stencil = Some(0);
-            for (mask, volume) in [AHEAD, ABOUT].into_iter().zip(&self.volumes) {
-                let listing = Listing { items: subject.scene.count, mask, vertices: VERTICES };
-                stencil.compact.record(frame, stencil.flags, listing, stencil.list);
-                let target = Target::default().with_stencil(&depth, None, clear_stencil.take());
-                count(frame, volume, subject, light, stencil, target);
-            }
+            let listing = Listing { items: subject.scene.count, mask: CASTS, vertices: VERTICES };
+            stencil.compact.record(frame, stencil.flags, listing, stencil.list);
+            let target = Target::default().with_stencil(&depth, None, Some(0));
+            count(frame, &self.volume, subject, light, stencil, target);
             frame.fullscreen(
                 "light.shadowed",
                 &self.shadowed[channel],

@@ -4,11 +4,8 @@
 //
 // Ours: both depths come from where the pixel's ray passes the volume's axis, so that the two polygons
 // agree in perspective too, and a polygon that would pass behind the camera just covers the screen: the
-// camera may stand inside a volume.
-
-// Work out the ray's passage for every pixel instead of between corners: for volumes about the camera,
-// where it does not change evenly over the screen.
-override EXACT: bool = false;
+// camera may stand inside a volume. The passage is worked out for every pixel: between corners it does not
+// change evenly.
 
 struct Casting {
     light: u32,
@@ -26,19 +23,18 @@ struct Casting {
 
 struct Corner {
     @builtin(position) position: vec4f,
-    // Where the ray passes the axis: to its side (in radii), along the ray, along the axis.
-    @location(0) passage: vec3f,
     // In the atlas: texel of the puff's middle, and texels from there to the volume's side.
-    @location(1) @interpolate(flat) cut: vec4f,
+    @location(0) @interpolate(flat) cut: vec4f,
     // Beginning (in the puff's height) and end along the axis, erosion, radius.
-    @location(2) @interpolate(flat) span: vec4f,
-    // Metres along the ray to one across the volume, and to one along the axis; 1 on the back polygon.
-    @location(3) @interpolate(flat) slope: vec3f,
-    @location(4) @interpolate(flat) middle: vec3f,
-    @location(5) @interpolate(flat) axis: vec3f,
+    @location(1) @interpolate(flat) span: vec4f,
+    @location(2) @interpolate(flat) middle: vec3f,
+    @location(3) @interpolate(flat) axis: vec3f,
+    // 1 on the back polygon.
+    @location(4) @interpolate(flat) back: u32,
 }
 
-// Closest approach of a ray from the camera and the axis.
+// Closest approach of a ray from the camera and the axis: how far to the axis's side (in radii), along the
+// ray, along the axis.
 fn passage_of(ray: vec3f, middle: vec3f, axis: vec3f, radius: f32) -> vec3f {
     let normal = cross(ray, axis);
     let sine2 = max(dot(normal, normal), 1e-8);
@@ -68,29 +64,24 @@ fn vertex(@builtin(vertex_index) index: u32) -> Corner {
     let middle = atlas_uv(vec2f(0.0), f32(puff_variant(puff)), level, atlas);
     let rim = atlas_uv(own, f32(puff_variant(puff)), level, atlas);
     let texels = vec2f(atlas.variants, 2.0) * atlas.tile_px;
-    let slope = dot(to_middle, volume.axis);
     return Corner(
         clip_of(px, 0.5),
-        passage_of(ray_of(px), volume.middle, volume.axis, volume.radius),
         vec4f(middle * texels, (rim - middle) * texels),
         vec4f(volume.first, volume.last, puff_fade(puff).x, volume.radius),
-        vec3f(inverseSqrt(max(dot(normal, normal), 1e-8)), 1.0 / select(slope, 1e-6, abs(slope) < 1e-6), f32(is_back)),
         volume.middle,
         volume.axis,
+        u32(is_back),
     );
 }
 
 @fragment
 fn fragment(corner: Corner) -> @builtin(frag_depth) f32 {
-    var passage = corner.passage;
-    var slope = corner.slope.xy;
-    if EXACT {
-        let ray = ray_of(corner.position.xy * casting.step);
-        passage = passage_of(ray, corner.middle, corner.axis, corner.span.w);
-        let normal = cross(ray, corner.axis);
-        let along = dot(ray, corner.axis);
-        slope = vec2f(inverseSqrt(max(dot(normal, normal), 1e-8)), 1.0 / select(along, 1e-6, abs(along) < 1e-6));
-    }
+    let ray = ray_of(corner.position.xy * casting.step);
+    let passage = passage_of(ray, corner.middle, corner.axis, corner.span.w);
+    let normal = cross(ray, corner.axis);
+    let along = dot(ray, corner.axis);
+    // Metres along the ray to one across the volume, and to one along the axis.
+    let slope = vec2f(inverseSqrt(max(dot(normal, normal), 1e-8)), 1.0 / select(along, 1e-6, abs(along) < 1e-6));
     let texel = textureLoad(atlas_texture, vec2i(corner.cut.xy + corner.cut.zw * clamp(passage.x, -1.0, 1.0)), 0);
     let reach = texel.z * corner.span.w;
     let half = reach * slope.x;
@@ -102,5 +93,5 @@ fn fragment(corner: Corner) -> @builtin(frag_depth) f32 {
     if abs(passage.x) >= 1.0 || texel_margin(texel) <= corner.span.z || near >= far || far <= view.near {
         discard;
     }
-    return depth_of(select(near, far, corner.slope.z == 1.0));
+    return depth_of(select(near, far, corner.back == 1u));
 }
