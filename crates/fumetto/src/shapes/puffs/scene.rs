@@ -40,7 +40,7 @@ impl PuffScene {
         let buffer = |label, size: u64| {
             gpu.device.create_buffer(&wgpu::BufferDescriptor {
                 label: Some(label),
-                size: size.max(16),
+                size,
                 usage: wgpu::BufferUsages::STORAGE
                     | wgpu::BufferUsages::COPY_DST
                     | wgpu::BufferUsages::COPY_SRC,
@@ -48,9 +48,9 @@ impl PuffScene {
             })
         };
         Self {
-            puffs: buffer("shapes.puffs", u64::from(count) * size_of::<Puff>() as u64),
+            puffs: buffer("shapes.puffs", u64::from(count.max(1)) * size_of::<Puff>() as u64),
             count,
-            styles: buffer("shapes.puffs.styles", style_bytes * objects.len() as u64),
+            styles: buffer("shapes.puffs.styles", style_bytes * objects.len().max(1) as u64),
             atlas,
             form: FormField::new(gpu, objects.len().max(1) as u32),
             objects,
