@@ -38,6 +38,8 @@ fn margin_at(p: vec2f, variant: u32) -> f32 {
 fn texel_at(p: vec2f, variant: u32) -> vec4f {
     var height = 0.0;
     var normal = vec2f(0.0);
+    // Beside the puff, normals go on as at its rim: between texels they are mixed with those inside.
+    var nearest = -1e9;
     for (var i = 0u; i < bundles.balls; i++) {
         let ball = balls[variant * bundles.balls + i];
         let offset = (p - ball.xy) / ball.w;
@@ -46,6 +48,11 @@ fn texel_at(p: vec2f, variant: u32) -> vec4f {
         if inside > 0.0 && top > height {
             height = top;
             normal = offset;
+        }
+        let margin = ball.w - distance(p, ball.xy);
+        if height == 0.0 && ball.w > 0.0 && margin > nearest {
+            nearest = margin;
+            normal = offset / max(length(offset), 1.0);
         }
     }
     return vec4f(0.5 + 0.5 * normal, height, (margin_at(p, variant) + 0.5) / 1.5);
