@@ -1,0 +1,13 @@
+//! Pictures against closed forms, drawn by whatever adapter there is.
+#![expect(clippy::unwrap_used, reason = "a test that cannot set up should stop")]
+
+mod balls;
+mod cels;
+mod colours;
+mod errors;
+mod ink;
+mod light;
+mod occlusion;
+mod shadows;
+mod stage;
+mod time;
