@@ -1,0 +1,66 @@
+#!/usr/bin/env bash
+# Draws all pictures of the documentation into docs/images, with the scenes as they are now.
+#
+#   scripts/pictures.sh             builds the fumetto command and draws with it
+#   scripts/pictures.sh COMMAND     draws with this one, as in scripts/pictures.sh target/release/fumetto
+cd "$(dirname "$0")/.." && . scripts/common.sh
+
+fumetto="${1:-}"
+if [ -z "$fumetto" ]; then
+    scripts/setup.sh
+    say "Building fumetto; the first time takes some minutes."
+    cargo build --release --package fumetto-cli
+    fumetto="${CARGO_TARGET_DIR:-target}/release/fumetto"
+fi
+
+images=docs/images
+mkdir -p "$images"
+
+# draw SCENE NAME FLAGS...: scenes/SCENE.toml to NAME, a .png or .gif.
+draw() {
+    local scene="$1" name="$2"
+    shift 2
+    "$fumetto" render "scenes/$scene.toml" -o "$images/$name" "$@"
+}
+
+large=(--size 640x360)
+small=(--size 480x270)
+
+# The gallery.
+draw chimney chimney.png "${large[@]}"
+draw lamp lamp.png --frame 150 "${large[@]}"
+draw explosion explosion.png --frame 16 "${large[@]}"
+# Layers come beside it: cumulus.normal.png and its kin.
+draw cumulus cumulus.png --layers normal,depth,id,alpha,ink "${large[@]}"
+draw chimney chimney.gif --frames 144..191 "${small[@]}"
+
+# The first scene of README.md, as it stands there, and two ways for its smoke to end.
+first=$(mktemp)
+trap 'rm -f "$first"' EXIT
+sed -n '/^```toml$/,/^```$/{/^```/!p;}' README.md >"$first"
+"$fumetto" render "$first" -o "$images/first.png" "${small[@]}"
+"$fumetto" render "$first" -o "$images/dissolve-opacity.png" "${small[@]}" \
+    --set object.smoke.emitter.erosion_over_life=0 \
+    --set 'object.smoke.emitter.opacity_over_life=[[0.5, 1], [1, 0]]'
+
+# One setting at a time, on the same cloud, and the cloud as it is.
+draw cumulus unchanged.png "${small[@]}"
+for style in cartoon mcguire flat no-ink; do
+    draw cumulus "style-$style.png" --style "$style" "${small[@]}"
+done
+for percent in 0 60 100; do
+    form=$((percent / 100)).$((percent % 100))
+    draw cumulus "form-$percent.png" --set "style.form=$form" "${small[@]}"
+done
+for percent in 25 100 400; do
+    offset=$((percent / 100)).$((percent % 100))
+    draw cumulus "ink-offset-$percent.png" --set "style.ink.offset=$offset" \
+        --set style.ink.inner=1 --set style.ink.lit_thinning=0 "${small[@]}"
+done
+draw cumulus clean-0.png --set style.clean.px=0 "${small[@]}"
+low_sun=(--set 'light[0].direction=[1, -0.35, -0.1]')
+draw cumulus shadow-on.png "${low_sun[@]}" "${small[@]}"
+draw cumulus shadow-off.png "${low_sun[@]}" --set style.shadow.on=false "${small[@]}"
+
+# The puffs' sprites: atlas.normal.png and its kin.
+"$fumetto" export scenes/cumulus.toml -o "$images/atlas.png"
