@@ -38,8 +38,8 @@ fn margin_at(p: vec2f, variant: u32) -> f32 {
 fn texel_at(p: vec2f, variant: u32) -> vec4f {
     var height = 0.0;
     var normal = vec2f(0.0);
-    // Beside the puff, normals go on as at its rim: between texels they are mixed with those inside.
-    var nearest = -1e9;
+    // Two texels farther, normals go on as at the rim: between texels they are mixed with those inside.
+    var nearest = -4.0 * bundles.extent / bundles.tile_px;
     for (var i = 0u; i < bundles.balls; i++) {
         let ball = balls[variant * bundles.balls + i];
         let offset = (p - ball.xy) / ball.w;
