@@ -15,7 +15,7 @@ mkdir -p out
 say "Building fumetto; the first time takes some minutes."
 cargo build --release --package fumetto-cli
 fumetto render "$scene" -o "$picture"
-fumetto render "$scene" -o "$animation" --frames 72..119 --size 640x360
+fumetto render "$scene" -o "$animation" --frames 144..191 --size 640x360
 
 say ""
 say "Here they are:"

@@ -53,7 +53,7 @@ fn the_sketch_of_the_format_is_valid() {
     let tones = vec![Tone { colour: srgb(0x8fa3b8), from: 0.0 }, Tone { colour: srgb(0xe8eef4), from: 0.5 }];
     assert_eq!(object.style.ramp, Ramp::Tones(tones));
     assert_eq!((object.style.ink.colour, object.style.ink.width), (srgb(0x101418), Width::Px(2.0)));
-    assert_eq!(object.style.form, 0.6, "what the scene does not say comes from the preset");
+    assert_eq!(object.style.form, 0.7, "what the scene does not say comes from the preset");
 }
 
 #[test]

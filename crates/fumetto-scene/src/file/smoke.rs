@@ -209,10 +209,10 @@ pub enum ForceFile {
     Attract {
         /// The place, in metres.
         center: [f32; 3],
-        /// Where the pull has fallen to half, in metres, above 0.
+        /// Where the pull is strongest, in metres, above 0.
         #[schemars(transform = &limits::LENGTH)]
         radius: f32,
-        /// At the centre, in m/s²; negative repels.
+        /// The strongest pull, in m/s²; negative repels.
         #[schemars(transform = &limits::ACCELERATION)]
         acceleration: f32,
     },

@@ -128,7 +128,7 @@ pub struct ShadowFile {
     /// Length of a puff's shadow in its radii.
     #[schemars(transform = &limits::FACTOR)]
     pub reach: Option<f32>,
-    /// How far behind a puff its shadow begins, in its radii.
+    /// How far behind a puff its shadow begins, in its own height there: 1 is its far side.
     #[schemars(transform = &limits::FACTOR)]
     pub start: Option<f32>,
     /// Width of the shadow over the puff's, above 0.

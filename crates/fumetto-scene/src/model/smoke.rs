@@ -152,9 +152,9 @@ pub enum Force {
     Attract {
         /// The place.
         center: [f32; 3],
-        /// Where the pull has fallen to half, in metres.
+        /// Where the pull is strongest, in metres.
         radius: f32,
-        /// At the centre, in m/s²; negative repels.
+        /// The strongest pull, in m/s²; negative repels.
         acceleration: f32,
     },
 }

@@ -90,7 +90,7 @@ pub struct Shadow {
     pub on: bool,
     /// Length of a puff's shadow in its radii.
     pub reach: f32,
-    /// How far behind a puff its shadow begins, in its radii.
+    /// How far behind a puff its shadow begins, in its own height there: 1 is its far side.
     pub start: f32,
     /// Width of the shadow over the puff's, above 0.
     pub size: f32,

@@ -80,6 +80,8 @@ pub(crate) fn linear_sampler(gpu: &Gpu) -> wgpu::Sampler {
         label: Some("gpu.linear"),
         mag_filter: wgpu::FilterMode::Linear,
         min_filter: wgpu::FilterMode::Linear,
+        // Its textures have one level: said here, software rasterisers need not look for others.
+        lod_max_clamp: 0.0,
         ..Default::default()
     })
 }

@@ -17,7 +17,7 @@
 struct Corner {
     @builtin(position) position: vec4f,
     // In the puff's own frame.
-    @location(0) p: vec2f,
+    @location(0) @interpolate(linear) p: vec2f,
     // Where the light comes from in the puff's own frame (0 to 1 long).
     @location(1) @interpolate(flat) light: vec2f,
     // Widths of an outline and of an inner line and erosion, all in the puff's margin; share of the
@@ -27,7 +27,7 @@ struct Corner {
     @location(3) @interpolate(flat) taper: vec2f,
     // Object + 1.
     @location(4) @interpolate(flat) id: u32,
-    @location(5) uv: vec2f,
+    @location(5) @interpolate(linear) uv: vec2f,
 }
 
 @vertex

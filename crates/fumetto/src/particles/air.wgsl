@@ -65,10 +65,9 @@ fn air_at(p: vec3f, age: f32, count: u32) -> Air {
             }
             case VORTEX: { air.velocity += swirl(p, force.a.xyz, force.b.xyz, force.a.w, force.b.w); }
             case ATTRACT: {
-                let offset = force.a.xyz - p;
-                let reach = dot(offset, offset) / (force.a.w * force.a.w);
-                // Plummer's softening: largest near, no infinity at the centre itself.
-                air.acceleration += offset * (force.b.x / (force.a.w * (1.0 + reach) * sqrt(1.0 + reach)));
+                let arm = (force.a.xyz - p) / force.a.w;
+                // Grows to its full strength at the radius and falls off beyond; no jump at the centre.
+                air.acceleration += arm * (2.0 * force.b.x / (1.0 + dot(arm, arm)));
             }
             default: {}
         }

@@ -11,8 +11,8 @@
 struct Corner {
     @builtin(position) position: vec4f,
     // In the puff's own frame.
-    @location(0) p: vec2f,
-    @location(1) uv: vec2f,
+    @location(0) @interpolate(linear) p: vec2f,
+    @location(1) @interpolate(linear) uv: vec2f,
     // Distance of the middle, radius in metres, erosion.
     @location(2) @interpolate(flat) puff: vec3f,
     // Puff's number + 1.
