@@ -173,24 +173,3 @@ fn impossible_sizes_and_rates_are_refused() {
     let mut writer = GifWriter::new(Vec::new(), 8, 8, 24.0, false, &[]).unwrap();
     assert!(matches!(writer.push(&drawing(8, 9)), Err(WriteError::Image { .. })));
 }
-
-/// Run with `cargo test --release -p fumetto-formats -- --ignored --nocapture`.
-#[test]
-#[ignore = "a figure, true only of an optimised build on an idle machine"]
-fn a_frame_of_960_by_540_takes_well_below_a_tenth_of_a_second() {
-    let cel = picture(960, 540, |x, y| opaque(KEEP[((x / 40 + y / 40) % 3) as usize]));
-    let noise = picture(960, 540, |x, y| {
-        let hash = (x + 960 * y).wrapping_mul(2_654_435_761);
-        [(hash >> 24) as u8, (hash >> 16) as u8, (hash >> 8) as u8, 255]
-    });
-    for (name, image) in [("cel", cel), ("drawing", drawing(960, 540)), ("noise", noise)] {
-        let mut writer = GifWriter::new(std::io::sink(), 960, 540, 24.0, false, &KEEP).unwrap();
-        let start = std::time::Instant::now();
-        for _ in 0..5 {
-            writer.push(&image).unwrap();
-        }
-        let millis = start.elapsed().as_secs_f64() * 1e3 / 5.0;
-        println!("{name}: {millis:.1} ms a frame");
-        assert!(millis < 100.0 || name == "noise", "{name}");
-    }
-}
