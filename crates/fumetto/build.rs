@@ -36,7 +36,6 @@ const PROGRAMS: &[(&str, &[&str])] = &[
             "shapes/puffs/puff",
             "shapes/puffs/sprite",
             "shapes/puffs/pyramid",
-            "shapes/puffs/visible",
             "ink/width",
             "shapes/puffs/cull",
         ],

@@ -8,10 +8,10 @@ use crate::{
     gpu::{Compact, DrawList, Frame, Gpu, Listing, TexturePool, Transient, View},
     ink::{Gather, Outline},
     layers::Layers,
-    light::{LightsUniform, Shadows, Soften, Stencil},
+    light::{LightsUniform, SHADOW_QUADS, Shadows, Soften, Stencil},
     object::ObjectStyle,
     proof::Proof,
-    shapes::puffs::{Body, FRONT, Form, INK, Normal, Occlusion, PuffScene, Pyramid, REST, Subject, VERTICES},
+    shapes::puffs::{Body, FRONT, Form, INK, Normal, Occlusion, PuffScene, Pyramid, QUADS, REST, Subject},
     tone::{CEL_FORMAT, Compose, Copied, Flat, InkedCel, Sprites, Under},
 };
 
@@ -166,7 +166,7 @@ impl Painter {
         size: [u32; 2],
         nearer: Option<&Layers>,
     ) -> Layers {
-        let listing = |mask| Listing { items: subject.scene.count, mask, vertices: VERTICES };
+        let listing = |mask| Listing { items: subject.scene.count, mask, quads: QUADS };
         let layers = Layers::new(frame, size);
         layers.begin(frame, nearer);
         self.occlusion.front(frame, subject, &room.pyramid, &room.flags);
@@ -226,7 +226,6 @@ impl Painter {
     fn make_room(&mut self, gpu: &Gpu, scene: &PuffScene, size: [u32; 2]) {
         let fits = |room: &Room| room.count == scene.count && room.pyramid.size == size;
         if !self.room.as_ref().is_some_and(fits) {
-            let list = |label| DrawList::new(gpu, label, scene.count);
             self.room = Some(Room {
                 count: scene.count,
                 pyramid: Pyramid::new(gpu, size),
@@ -236,8 +235,8 @@ impl Painter {
                     usage: wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC,
                     mapped_at_creation: false,
                 }),
-                list: list("frame.list"),
-                inks: list("frame.inks"),
+                list: DrawList::new(gpu, "frame.list", scene.count, SHADOW_QUADS.max(QUADS)),
+                inks: DrawList::new(gpu, "frame.inks", scene.count, QUADS),
             });
         }
     }

@@ -1,5 +1,7 @@
 //! Lists the items that a cull left, and draws exactly those, with nothing read back.
 
+use wgpu::util::DeviceExt as _;
+
 use super::{Frame, Gpu, Slot, kernels, shader, workgroups};
 
 /// Items that one invocation looks at. Also in `compact.wgsl`.
@@ -19,7 +21,9 @@ pub(crate) struct DrawList {
     /// The items' numbers, rising.
     pub(crate) items: wgpu::Buffer,
     /// Arguments of an indirect draw.
-    pub(crate) draw: wgpu::Buffer,
+    draw: wgpu::Buffer,
+    /// Two triangles for every four corners.
+    indices: wgpu::Buffer,
     before: wgpu::Buffer,
 }
 
@@ -30,8 +34,8 @@ pub(crate) struct Listing {
     pub(crate) items: u32,
     /// Those whose flags share a bit with this are listed.
     pub(crate) mask: u32,
-    /// Vertices that each of them is drawn with.
-    pub(crate) vertices: u32,
+    /// Quads that each of them is drawn with.
+    pub(crate) quads: u32,
 }
 
 #[repr(C)]
@@ -39,13 +43,13 @@ pub(crate) struct Listing {
 struct CompactionUniform {
     items: u32,
     mask: u32,
-    vertices: u32,
+    quads: u32,
     pad: u32,
 }
 
 impl DrawList {
-    /// Room for `capacity` items.
-    pub(crate) fn new(gpu: &Gpu, label: &str, capacity: u32) -> Self {
+    /// Room for `capacity` items of up to `quads` quads each.
+    pub(crate) fn new(gpu: &Gpu, label: &str, capacity: u32, quads: u32) -> Self {
         let buffer = |words: u32, usage| {
             gpu.device.create_buffer(&wgpu::BufferDescriptor {
                 label: Some(label),
@@ -56,10 +60,30 @@ impl DrawList {
         };
         Self {
             items: buffer(capacity, wgpu::BufferUsages::COPY_SRC),
-            draw: buffer(4, wgpu::BufferUsages::INDIRECT | wgpu::BufferUsages::COPY_SRC),
+            draw: buffer(5, wgpu::BufferUsages::INDIRECT | wgpu::BufferUsages::COPY_SRC),
+            indices: quad_indices(gpu, (capacity * quads).max(1)),
             before: buffer(capacity.div_ceil(RUN), wgpu::BufferUsages::empty()),
         }
     }
+}
+
+impl DrawList {
+    /// Draws the quads of the listed items; four vertices in a row are the corners of one.
+    pub(crate) fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
+        pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint32);
+        pass.draw_indexed_indirect(&self.draw, 0);
+    }
+}
+
+/// Corners are worked out once for both triangles of a quad.
+fn quad_indices(gpu: &Gpu, quads: u32) -> wgpu::Buffer {
+    let indices: Vec<u32> =
+        (0..quads).flat_map(|quad| [0, 1, 2, 0, 2, 3].map(|corner| 4 * quad + corner)).collect();
+    gpu.device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
+        label: Some("gpu.compact.indices"),
+        contents: bytemuck::cast_slice(&indices),
+        usage: wgpu::BufferUsages::INDEX,
+    })
 }
 
 impl Compact {
@@ -75,11 +99,10 @@ impl Compact {
         &self,
         frame: &mut Frame<'_>,
         flags: &wgpu::Buffer,
-        Listing { items, mask, vertices }: Listing,
+        Listing { items, mask, quads }: Listing,
         list: &DrawList,
     ) {
-        let uniform =
-            frame.uniform("gpu.compact.uniform", &CompactionUniform { items, mask, vertices, pad: 0 });
+        let uniform = frame.uniform("gpu.compact.uniform", &CompactionUniform { items, mask, quads, pad: 0 });
         let bindings = [
             uniform.as_entire_binding(),
             flags.as_entire_binding(),
@@ -99,5 +122,5 @@ mod tests {
     use super::*;
     use crate::gpu::layout_test;
 
-    layout_test!(lies_as_its_twin: CompactionUniform, "Compaction" of "gpu/compact" { items, mask, vertices });
+    layout_test!(lies_as_its_twin: CompactionUniform, "Compaction" of "gpu/compact" { items, mask, quads });
 }

@@ -4,8 +4,8 @@ struct Compaction {
     items: u32,
     // Which bit of an item's flags.
     mask: u32,
-    // Vertices drawn for each listed item.
-    vertices: u32,
+    // Quads drawn for each listed item.
+    quads: u32,
 }
 
 // Items that one invocation looks at.
@@ -16,8 +16,8 @@ const RUN: u32 = 32u;
 // Flagged items before each run.
 @group(0) @binding(2) var<storage, read_write> before: array<u32>;
 @group(0) @binding(3) var<storage, read_write> list: array<u32>;
-// Vertices, instances, first vertex, first instance.
-@group(0) @binding(4) var<storage, read_write> draw: array<u32, 4>;
+// Indices, instances, first index, base vertex, first instance.
+@group(0) @binding(4) var<storage, read_write> draw: array<u32, 5>;
 
 fn run_of(group: vec3u, groups: vec3u, lane: u32) -> u32 {
     return (group.y * groups.x + group.x) * 256u + lane;
@@ -64,7 +64,7 @@ fn scan(@builtin(local_invocation_index) lane: u32) {
         total += count;
     }
     if lane == 255u {
-        draw = array(total * compaction.vertices, 1u, 0u, 0u);
+        draw = array(total * compaction.quads * 6u, 1u, 0u, 0u, 0u);
     }
 }
 

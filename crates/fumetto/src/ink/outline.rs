@@ -53,7 +53,7 @@ impl Outline {
                 wgpu::BindingResource::TextureView(&layers.id),
                 wgpu::BindingResource::TextureView(&layers.depth),
             ],
-            |pass| pass.draw_indirect(&list.draw, 0),
+            |pass| list.draw(pass),
         );
         ink
     }

@@ -32,11 +32,11 @@ struct Corner {
 
 @vertex
 fn vertex(@builtin(vertex_index) index: u32) -> Corner {
-    let puff = puffs[list[index / 6u]];
+    let puff = puffs[list[index / 4u]];
     let style = styles[puff_object(puff)];
     let sprite = sprite_of(puff);
     let width_px = ink_width_px(style, sprite.distance);
-    let offset = SQUARE[index % 6u] * (sprite.radius_px + width_px);
+    let offset = SQUARE[index % 4u] * (sprite.radius_px + width_px);
     let distance = sprite.distance + style.ink_offset * 2.0 * puff.radius;
     let rotation = puff_rotation(puff);
     var light = vec2f(0.0);

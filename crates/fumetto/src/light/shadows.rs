@@ -23,8 +23,8 @@ pub(crate) const SHADOW_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8
 /// Bit of a puff's flags. Also in `casters.wgsl`.
 const CASTS: u32 = 1;
 
-/// Vertices of a shadow volume: two polygons of two triangles.
-const VERTICES: u32 = 12;
+/// Polygons of a shadow volume: one front, one back.
+pub(crate) const QUADS: u32 = 2;
 
 /// Long-lived pipelines.
 #[derive(Debug)]
@@ -137,7 +137,7 @@ impl Shadows {
         let mut clear = Some(wgpu::Color::TRANSPARENT);
         for (light, channel) in lights.casting() {
             self.find_casters(frame, subject, light, stencil);
-            let listing = Listing { items: subject.scene.count, mask: CASTS, vertices: VERTICES };
+            let listing = Listing { items: subject.scene.count, mask: CASTS, quads: QUADS };
             stencil.compact.record(frame, stencil.flags, listing, stencil.list);
             let target = Target::default().with_stencil(&depth, None, Some(0));
             count(frame, &self.volume, subject, light, stencil, target);
@@ -214,7 +214,7 @@ fn count(
             subject.scene.styles.as_entire_binding(),
             wgpu::BindingResource::TextureView(texture),
         ],
-        |pass| pass.draw_indirect(&stencil.list.draw, 0),
+        |pass| stencil.list.draw(pass),
     );
 }
 

@@ -44,16 +44,14 @@ fn passage_of(ray: vec3f, middle: vec3f, axis: vec3f, radius: f32) -> vec3f {
 
 @vertex
 fn vertex(@builtin(vertex_index) index: u32) -> Corner {
-    let puff = puffs[list[index / 12u]];
+    let puff = puffs[list[index / 8u]];
     let style = styles[puff_object(puff)];
     let volume = volume_of(puff, style, lights.light[casting.light]);
     // Back polygon first: what it adds, the front one may take away again. Their windings differ.
-    let is_back = index % 12u < 6u;
-    let corner = index % 6u;
-    let along = select(-1.0, 1.0, corner == 1u || corner == 2u || corner == 4u);
-    let upper = corner == 2u || corner == 4u || corner == 5u;
-    let side = select(-1.0, 1.0, upper == is_back);
-    let px = volume.px + volume.along_px * along + volume.side_px * side;
+    let is_back = index % 8u < 4u;
+    let corner = SQUARE[index % 4u];
+    let side = select(-corner.y, corner.y, is_back);
+    let px = volume.px + volume.along_px * corner.x + volume.side_px * side;
     // The puff's picture, cut through its middle across the light's direction.
     let to_middle = volume.middle / max(-volume.middle.z, view.near);
     let normal = cross(to_middle, volume.axis);

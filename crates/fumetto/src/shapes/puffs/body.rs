@@ -6,8 +6,8 @@ use crate::{
     layers,
 };
 
-/// Vertices of a puff's billboard.
-pub(crate) const VERTICES: u32 = 6;
+/// Quads of a puff's billboard.
+pub(crate) const QUADS: u32 = 1;
 
 /// The long-lived pipeline.
 #[derive(Debug)]
@@ -48,7 +48,7 @@ impl Body {
                 wgpu::BindingResource::TextureView(texture),
                 wgpu::BindingResource::Sampler(sampler),
             ],
-            |pass| pass.draw_indirect(&list.draw, 0),
+            |pass| list.draw(pass),
         );
     }
 }

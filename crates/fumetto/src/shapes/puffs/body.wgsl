@@ -10,26 +10,25 @@
 
 struct Corner {
     @builtin(position) position: vec4f,
-    // In the puff's own frame.
-    @location(0) @interpolate(linear) p: vec2f,
-    @location(1) @interpolate(linear) uv: vec2f,
+    @location(0) @interpolate(linear) uv: vec2f,
     // Distance of the middle, radius in metres, erosion.
-    @location(2) @interpolate(flat) puff: vec3f,
+    @location(1) @interpolate(flat) puff: vec3f,
     // Puff's number + 1.
-    @location(3) @interpolate(flat) id: u32,
+    @location(2) @interpolate(flat) id: u32,
 }
 
 @vertex
 fn vertex(@builtin(vertex_index) index: u32) -> Corner {
-    let id = list[index / 6u];
+    let id = list[index / 4u];
     let puff = puffs[id];
     let sprite = sprite_of(puff);
-    let offset = SQUARE[index % 6u] * sprite.radius_px;
-    let p = puff_from_px(offset, sprite.radius_px, puff_rotation(puff));
+    // The square turns with the puff, so that it never leaves the puff's tile.
+    let p = SQUARE[index % 4u];
+    let on_screen = screen_from_puff(p, puff_rotation(puff)) * sprite.radius_px;
+    let offset = vec2f(on_screen.x, -on_screen.y);
     return Corner(
         // At its nearest depth, so that pixels are only ever pushed back.
         clip_of(sprite.px + offset, depth_of(sprite.distance - puff.radius)),
-        p,
         atlas_uv(p, f32(puff_variant(puff)), atlas_level(sprite.radius_px, atlas), atlas),
         vec3f(sprite.distance, puff.radius, puff_fade(puff).x),
         id + 1u,
@@ -44,7 +43,7 @@ struct Body {
 @fragment
 fn fragment(corner: Corner) -> Body {
     let texel = textureSampleLevel(atlas_texture, atlas_sampler, corner.uv, 0.0);
-    if texel_margin(texel) <= corner.puff.z || dot(corner.p, corner.p) > 1.0 {
+    if texel_margin(texel) <= corner.puff.z {
         discard;
     }
     return Body(depth_of(corner.puff.x - texel.z * corner.puff.y), corner.id);

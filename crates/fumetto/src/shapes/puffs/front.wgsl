@@ -1,5 +1,6 @@
 // Picks the puffs to draw first: in every cell of the screen the one that is nearest, at the level whose
-// cells are as wide as one to two radii of the puff. Together they cover most of what is seen, mostly once.
+// cells are as wide as half to one radius of the puff. Together they leave few gaps, and the pyramid over
+// them hides most others; fewer and larger cells were measured to cost more in the end.
 
 struct Range {
     count: u32,
@@ -23,7 +24,7 @@ fn candidate(item: u32) -> Candidate {
     let sprite = sprite_of(puff);
     let fade = puff_fade(puff);
     let shown = sprite.distance > 0.0 && fade.x < 1.0 && fade.y > 0.0 && (styles[puff_object(puff)].flags & IN_CEL) != 0u;
-    let level = min(u32(max(ceil(log2(max(sprite.radius_px, 1.0) / CELL_PX)), 0.0)), pyramid.levels - 1u);
+    let level = min(u32(max(floor(log2(max(sprite.radius_px, 1.0) / CELL_PX)), 0.0)), pyramid.levels - 1u);
     let grid = pyramid.level[level];
     let at = vec2i(floor(sprite.px / (CELL_PX * exp2(f32(level)))));
     if !shown || any(at < vec2i(0)) || any(at >= vec2i(grid.yz)) {

@@ -15,7 +15,7 @@ mod present;
 mod scene;
 
 pub(crate) use atlas::{Atlas, AtlasError};
-pub(crate) use body::{Body, VERTICES};
+pub(crate) use body::{Body, QUADS};
 pub(crate) use form::Form;
 pub(crate) use normal::Normal;
 pub(crate) use occlusion::{FRONT, INK, Occlusion, Pyramid, REST};
