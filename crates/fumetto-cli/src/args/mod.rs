@@ -50,7 +50,7 @@ pub(crate) enum Command {
 pub(crate) struct SceneArgs {
     /// The scene file. Files that it names are looked for beside it.
     pub(crate) scene: PathBuf,
-    /// A preset or a style file, in place of the scene's [style].
+    /// A preset or a style file, in place of the scene's `style` table.
     #[arg(long, value_name = "NAME|FILE")]
     pub(crate) style: Option<String>,
     /// Change a key of the scene, as in `--set camera.eye[0]=2` or `--set object.smoke.opacity=0.5`;

@@ -16,18 +16,14 @@
 
 struct Corner {
     @builtin(position) position: vec4f,
-    // In the puff's own frame.
-    @location(0) @interpolate(linear) p: vec2f,
-    // Where the light comes from in the puff's own frame (0 to 1 long).
-    @location(1) @interpolate(flat) light: vec2f,
-    // Widths of an outline and of an inner line and erosion, all in the puff's margin; share of the
-    // width that goes where it is lit.
-    @location(2) @interpolate(flat) width: vec4f,
+    // Place in the puff's own frame, and in the atlas.
+    @location(0) @interpolate(linear) p_uv: vec4f,
+    // In pairs: where the light comes from in the puff's own frame (0 to 1 long); widths of an outline and
+    // of an inner line, in the puff's margin; erosion and the share of the width that goes where it is
+    // lit; then object + 1.
+    @location(1) @interpolate(flat) ink: vec4u,
     // Distance of the billboard, distance behind it at which lines have their full width.
-    @location(3) @interpolate(flat) taper: vec2f,
-    // Object + 1.
-    @location(4) @interpolate(flat) id: u32,
-    @location(5) @interpolate(linear) uv: vec2f,
+    @location(2) @interpolate(flat) taper: vec2f,
 }
 
 @vertex
@@ -46,33 +42,40 @@ fn vertex(@builtin(vertex_index) index: u32) -> Corner {
     }
     let width = width_px / sprite.radius_px;
     let p = puff_from_px(offset, sprite.radius_px, rotation);
+    let uv = atlas_uv(p, f32(puff_variant(puff)), atlas_level(sprite.radius_px, atlas), atlas);
     return Corner(
         clip_of(sprite.px + offset, depth_of(distance)),
-        p,
-        light,
-        vec4f(width, width * style.ink_inner, puff_fade(puff).x, style.ink_lit_thinning),
+        vec4f(p, uv),
+        vec4u(
+            pack2x16snorm(light),
+            pack2x16float(vec2f(width, width * style.ink_inner)),
+            pack2x16unorm(vec2f(puff_fade(puff).x, style.ink_lit_thinning)),
+            puff_object(puff) + 1u,
+        ),
         vec2f(distance, puff.radius),
-        puff_object(puff) + 1u,
-        atlas_uv(p, f32(puff_variant(puff)), atlas_level(sprite.radius_px, atlas), atlas),
     );
 }
 
 @fragment
 fn fragment(corner: Corner) -> @location(0) u32 {
-    let texel = textureSampleLevel(atlas_texture, atlas_sampler, corner.uv, 0.0);
+    let p = corner.p_uv.xy;
+    let light = unpack2x16snorm(corner.ink.x);
+    let widths = unpack2x16float(corner.ink.y);
+    let erosion_thinning = unpack2x16unorm(corner.ink.z);
+    let texel = textureSampleLevel(atlas_texture, atlas_sampler, corner.p_uv.zw, 0.0);
     // Farther out than the atlas tells, a puff is much like a disc.
-    let outside = texel.w < 0.01 || any(abs(corner.p) > vec2f(TILE_EXTENT - 0.05));
-    let margin = select(texel_margin(texel), 0.9 - length(corner.p), outside);
-    let lit = max(dot(corner.p, corner.light) / max(length(corner.p), 1e-3), 0.0);
+    let outside = texel.w < 0.01 || any(abs(p) > vec2f(TILE_EXTENT - 0.05));
+    let margin = select(texel_margin(texel), 0.9 - length(p), outside);
+    let lit = max(dot(p, light) / max(length(p), 1e-3), 0.0);
     let at = vec2i(corner.position.xy);
-    var width = corner.width.x * (1.0 - corner.width.w * lit);
+    var width = widths.x * (1.0 - erosion_thinning.y * lit);
     if textureLoad(id_layer, at, 0).x != 0u {
         let gap = distance_of(textureLoad(depth_layer, at, 0)) - corner.taper.x;
         let taper = clamp(gap / corner.taper.y, 0.0, 1.0);
-        width = corner.width.y * taper * (1.0 - corner.width.w * min(2.0 * lit, 1.0));
+        width = widths.y * taper * (1.0 - erosion_thinning.y * min(2.0 * lit, 1.0));
     }
-    if margin <= corner.width.z - width {
+    if margin <= erosion_thinning.x - width {
         discard;
     }
-    return corner.id;
+    return corner.ink.w;
 }

@@ -16,10 +16,16 @@ struct Volume {
     nearest: f32,
 }
 
+// The direction in which light travels at a place; all in view space.
+fn axis_of(place: vec3f, light: Light) -> vec3f {
+    let source = (view.view_from_world * vec4f(light.vector, light.is_point)).xyz;
+    return normalize(place * light.is_point - source);
+}
+
 fn volume_of(puff: Puff, style: ObjectStyle, light: Light) -> Volume {
     let radius = puff.radius * style.shadow_size;
     let middle = (view.view_from_world * vec4f(puff.center, 1.0)).xyz;
-    let axis = (view.view_from_world * vec4f(-toward(light, puff.center), 0.0)).xyz;
+    let axis = axis_of(middle, light);
     let last = style.shadow_reach * puff.radius;
     let end = middle + axis * last;
     let nearest = min(-middle.z, -end.z) - radius;

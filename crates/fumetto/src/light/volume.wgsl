@@ -23,14 +23,12 @@ struct Casting {
 
 struct Corner {
     @builtin(position) position: vec4f,
-    // In the atlas: texel of the puff's middle, and texels from there to the volume's side.
-    @location(0) @interpolate(flat) cut: vec4f,
-    // Beginning (in the puff's height) and end along the axis, erosion, radius.
-    @location(1) @interpolate(flat) span: vec4f,
-    @location(2) @interpolate(flat) middle: vec3f,
-    @location(3) @interpolate(flat) axis: vec3f,
-    // 1 on the back polygon.
-    @location(4) @interpolate(flat) back: u32,
+    // Middle of the puff in view space, radius of the volume.
+    @location(0) @interpolate(flat) ball: vec4f,
+    // In pairs: texel of the puff's middle in the atlas, in eighths; texels from there to the volume's side;
+    // beginning (in the puff's height) and end along the axis; erosion, and 1 on the back polygon. Packed,
+    // because a software rasteriser sets up each value that a triangle carries.
+    @location(1) @interpolate(flat) cut: vec4u,
 }
 
 // Closest approach of a ray from the camera and the axis: how far to the axis's side (in radii), along the
@@ -62,34 +60,42 @@ fn vertex(@builtin(vertex_index) index: u32) -> Corner {
     let middle = atlas_uv(vec2f(0.0), f32(puff_variant(puff)), level, atlas);
     let rim = atlas_uv(own, f32(puff_variant(puff)), level, atlas);
     let texels = vec2f(atlas.variants, 2.0) * atlas.tile_px;
+    let eighths = vec2u(round(middle * texels * 8.0));
     return Corner(
         clip_of(px, 0.5),
-        vec4f(middle * texels, (rim - middle) * texels),
-        vec4f(volume.first, volume.last, puff_fade(puff).x, volume.radius),
-        volume.middle,
-        volume.axis,
-        u32(is_back),
+        vec4f(volume.middle, volume.radius),
+        vec4u(
+            eighths.x | (eighths.y << 16u),
+            pack2x16float((rim - middle) * texels),
+            pack2x16float(vec2f(volume.first, volume.last)),
+            pack2x16unorm(vec2f(puff_fade(puff).x, f32(is_back))),
+        ),
     );
 }
 
 @fragment
 fn fragment(corner: Corner) -> @builtin(frag_depth) f32 {
     let ray = ray_of(corner.position.xy * casting.step);
-    let passage = passage_of(ray, corner.middle, corner.axis, corner.span.w);
-    let normal = cross(ray, corner.axis);
-    let along = dot(ray, corner.axis);
+    let axis = axis_of(corner.ball.xyz, lights.light[casting.light]);
+    let passage = passage_of(ray, corner.ball.xyz, axis, corner.ball.w);
+    let normal = cross(ray, axis);
+    let along = dot(ray, axis);
     // Metres along the ray to one across the volume, and to one along the axis.
     let slope = vec2f(inverseSqrt(max(dot(normal, normal), 1e-8)), 1.0 / select(along, 1e-6, abs(along) < 1e-6));
-    let texel = textureLoad(atlas_texture, vec2i(corner.cut.xy + corner.cut.zw * clamp(passage.x, -1.0, 1.0)), 0);
-    let reach = texel.z * corner.span.w;
+    let middle = vec2f(vec2u(corner.cut.x & 0xffffu, corner.cut.x >> 16u)) / 8.0;
+    let at = middle + unpack2x16float(corner.cut.y) * clamp(passage.x, -1.0, 1.0);
+    let span = unpack2x16float(corner.cut.z);
+    let erosion_back = unpack2x16unorm(corner.cut.w);
+    let texel = textureLoad(atlas_texture, vec2i(at), 0);
+    let reach = texel.z * corner.ball.w;
     let half = reach * slope.x;
     // Between the beginning, which bulges as the puff does, and the end.
-    let first = passage.y + (corner.span.x * reach - passage.z) * slope.y;
-    let last = passage.y + (corner.span.y - passage.z) * slope.y;
+    let first = passage.y + (span.x * reach - passage.z) * slope.y;
+    let last = passage.y + (span.y - passage.z) * slope.y;
     let near = max(passage.y - half, min(first, last));
     let far = min(passage.y + half, max(first, last));
-    if abs(passage.x) >= 1.0 || texel_margin(texel) <= corner.span.z || near >= far || far <= view.near {
+    if abs(passage.x) >= 1.0 || texel_margin(texel) <= erosion_back.x || near >= far || far <= view.near {
         discard;
     }
-    return depth_of(select(near, far, corner.back == 1u));
+    return depth_of(select(near, far, erosion_back.y == 1.0));
 }

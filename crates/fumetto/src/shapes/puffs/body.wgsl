@@ -11,10 +11,9 @@
 struct Corner {
     @builtin(position) position: vec4f,
     @location(0) @interpolate(linear) uv: vec2f,
-    // Distance of the middle, radius in metres, erosion.
-    @location(1) @interpolate(flat) puff: vec3f,
-    // Puff's number + 1.
-    @location(2) @interpolate(flat) id: u32,
+    // Distance of the middle, radius in metres and erosion as bits; puff's number + 1. All in one, because a
+    // software rasteriser sets up each value that a triangle carries.
+    @location(1) @interpolate(flat) puff: vec4u,
 }
 
 @vertex
@@ -30,8 +29,7 @@ fn vertex(@builtin(vertex_index) index: u32) -> Corner {
         // At its nearest depth, so that pixels are only ever pushed back.
         clip_of(sprite.px + offset, depth_of(sprite.distance - puff.radius)),
         atlas_uv(p, f32(puff_variant(puff)), atlas_level(sprite.radius_px, atlas), atlas),
-        vec3f(sprite.distance, puff.radius, puff_fade(puff).x),
-        id + 1u,
+        vec4u(bitcast<vec3u>(vec3f(sprite.distance, puff.radius, puff_fade(puff).x)), id + 1u),
     );
 }
 
@@ -42,9 +40,10 @@ struct Body {
 
 @fragment
 fn fragment(corner: Corner) -> Body {
+    let puff = bitcast<vec3f>(corner.puff.xyz);
     let texel = textureSampleLevel(atlas_texture, atlas_sampler, corner.uv, 0.0);
-    if texel_margin(texel) <= corner.puff.z {
+    if texel_margin(texel) <= puff.z {
         discard;
     }
-    return Body(depth_of(corner.puff.x - texel.z * corner.puff.y), corner.id);
+    return Body(depth_of(puff.x - texel.z * puff.y), corner.puff.w);
 }
