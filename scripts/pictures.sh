@@ -32,7 +32,7 @@ draw lamp lamp.png --frame 150 "${large[@]}"
 draw explosion explosion.png --frame 16 "${large[@]}"
 # Layers come beside it: cumulus.normal.png and its kin.
 draw cumulus cumulus.png --layers normal,depth,id,alpha,ink "${large[@]}"
-draw chimney chimney.gif --frames 144..191 "${small[@]}"
+draw chimney chimney.gif --frames 144..191 --size 320x180
 
 # The first scene of README.md, as it stands there, and two ways for its smoke to end.
 first=$(mktemp)
@@ -48,7 +48,7 @@ draw cumulus unchanged.png "${small[@]}"
 for style in cartoon mcguire flat no-ink; do
     draw cumulus "style-$style.png" --style "$style" "${small[@]}"
 done
-for percent in 0 60 100; do
+for percent in 0 70 100; do
     form=$((percent / 100)).$((percent % 100))
     draw cumulus "form-$percent.png" --set "style.form=$form" "${small[@]}"
 done
