@@ -18,14 +18,15 @@ fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let at = vec2i(position.xy);
     let last = vec2i(textureDimensions(normals)) - 1;
     let middle = textureLoad(normals, at, 0);
-    let distance = exp2(middle.w);
+    // The layer keeps logarithms of distances: their difference is the relative one, to first order.
+    let depth_scale = 0.693147 * soften.focal_px * soften.scale;
     var normal = vec3f(0.0);
     var total = 0.0;
     for (var step = -soften.radius; step <= soften.radius; step++) {
         let place = clamp(at + soften.axis * step, vec2i(0), last);
         let other = textureLoad(normals, place, 0);
         // Depth may differ as on a surface seen at 70 degrees, and by a texel's roughness.
-        let depth_px = abs(exp2(other.w) - distance) * soften.focal_px * soften.scale / distance;
+        let depth_px = abs(other.w - middle.w) * depth_scale;
         let near = depth_px < 3.0 * f32(abs(step)) + 2.0 && any(other.xyz != vec3f(0.0));
         let weight = select(0.0, 1.0, near);
         normal += other.xyz * weight;

@@ -41,7 +41,7 @@ const GRID_BYTES: u64 = 64;
 impl FormField {
     pub(crate) fn new(gpu: &Gpu, objects: u32) -> Self {
         // All grids together stay within a 3-D texture of 2048 cells and a few dozen megabytes.
-        let side = if objects <= 16 { 48 } else { 32 };
+        let side = if objects <= 16 { 40 } else { 32 };
         let cells = u64::from(side).pow(3) * u64::from(objects);
         let buffer = |label, size, usage| {
             gpu.device.create_buffer(&wgpu::BufferDescriptor {
