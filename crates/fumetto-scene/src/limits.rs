@@ -13,7 +13,7 @@ pub const MAX_PARTICLES: u64 = 1_500_000;
 /// Most objects in a scene: each is a cel with layers of its own.
 pub const MAX_OBJECTS: usize = 64;
 
-/// Most lights in a scene: shadows keep one bit a light in an 8-bit stencil.
+/// Most lights in a scene: a uniform holds them all, and the first four that throw shadows have a channel each.
 pub const MAX_LIGHTS: usize = 8;
 
 /// Most tones in a ramp (Álvarez draws with 32).

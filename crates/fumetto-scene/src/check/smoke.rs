@@ -12,6 +12,7 @@ pub(super) fn smoke(at: &At<'_>, file: &ObjectFile) -> Smoke {
         let help = "add an [[object.emitter]] with a `shape` and a `rate`";
         at.key("emitter").error("no-emitter", message, help);
     }
+    still_air(at, forces);
     let at_item = |key, i| at.key(key).item(i);
     Smoke {
         emitters: emitters.iter().enumerate().map(|(i, one)| emitter(&at_item("emitter", i), one)).collect(),
@@ -39,6 +40,21 @@ fn emitter(at: &At<'_>, file: &EmitterFile) -> Emitter {
         mass_over_life: growth("mass_over_life", &file.mass_over_life),
         erosion_over_life: share("erosion_over_life", &file.erosion_over_life),
         opacity_over_life: share("opacity_over_life", &file.opacity_over_life),
+    }
+}
+
+/// Moving air takes particles along by drag alone.
+fn still_air(at: &At<'_>, forces: &[ForceFile]) {
+    let moves_air = |force: &ForceFile| {
+        matches!(force, ForceFile::Wind { .. } | ForceFile::Turbulence { .. } | ForceFile::Vortex { .. })
+    };
+    let drags = |force: &ForceFile| matches!(force, ForceFile::Drag { .. });
+    if let Some(index) = forces.iter().position(moves_air)
+        && !forces.iter().any(drags)
+    {
+        let message = "nothing feels this moving air: the object has no drag".into();
+        let help = "add an [[object.force]] of kind = \"drag\"; rate = 2 is usual for smoke";
+        at.key("force").item(index).warning("no-drag", message, help);
     }
 }
 
