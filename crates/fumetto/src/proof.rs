@@ -84,7 +84,7 @@ impl Proof {
             Layer::Depth => depth_pixels(&bytes),
             Layer::Id => words(&bytes).flat_map(id_colour).collect(),
             Layer::Alpha => words(&bytes).flat_map(|id| mask_colour(id != 0)).collect(),
-            Layer::Ink => bytes.iter().flat_map(|&mark| mask_colour(mark != 0)).collect(),
+            Layer::Ink => bytes.chunks_exact(2).flat_map(|mark| mask_colour(mark[0] != 0)).collect(),
         };
         Ok(Image { width: texture.width(), height: texture.height(), pixels })
     }

@@ -20,7 +20,7 @@ struct Corner {
     @location(0) @interpolate(linear) p_uv: vec4f,
     // In pairs: where the light comes from in the puff's own frame (0 to 1 long); widths of an outline and
     // of an inner line, in the puff's margin; erosion and the share of the width that goes where it is
-    // lit; then object + 1.
+    // lit; then object + 1 and opacity in bytes.
     @location(1) @interpolate(flat) ink: vec4u,
     // Distance of the billboard, distance behind it at which lines have their full width.
     @location(2) @interpolate(flat) taper: vec2f,
@@ -50,14 +50,14 @@ fn vertex(@builtin(vertex_index) index: u32) -> Corner {
             pack2x16snorm(light),
             pack2x16float(vec2f(width, width * style.ink_inner)),
             pack2x16unorm(vec2f(puff_fade(puff).x, style.ink_lit_thinning)),
-            puff_object(puff) + 1u,
+            (puff_object(puff) + 1u) | (u32(round(255.0 * puff_fade(puff).y)) << 8u),
         ),
         vec2f(distance, puff.radius),
     );
 }
 
 @fragment
-fn fragment(corner: Corner) -> @location(0) u32 {
+fn fragment(corner: Corner) -> @location(0) vec2u {
     let p = corner.p_uv.xy;
     let light = unpack2x16snorm(corner.ink.x);
     let widths = unpack2x16float(corner.ink.y);
@@ -77,5 +77,5 @@ fn fragment(corner: Corner) -> @location(0) u32 {
     if margin <= erosion_thinning.x - width {
         discard;
     }
-    return corner.ink.w;
+    return vec2u(corner.ink.w & 0xffu, corner.ink.w >> 8u);
 }

@@ -44,15 +44,15 @@ fn under_at(position: vec2f, size: vec2f) -> vec4f {
 
 // The cel with its ink at one sample; straight alpha, encoded.
 fn drawn_at(at: vec2i) -> vec4f {
-    let mark = textureLoad(ink, at, 0).x;
-    if mark != 0u {
-        let style = styles[mark - 1u];
+    let mark = textureLoad(ink, at, 0).xy;
+    if mark.x != 0u {
+        let style = styles[mark.x - 1u];
         let cells = vec2f(at) / (compose.cell * vec2f(textureDimensions(around)));
         let inked_px = textureSampleLevel(around, linear, cells, 0.0).x * compose.window;
         // A line is at least as wide as it is where the light thins it.
         let narrowest = style.ink_width_px * (1.0 - style.ink_lit_thinning);
         if inked_px >= style.ink_shortest_px * narrowest * 0.7 {
-            return vec4f(style.ink_colour, style.opacity);
+            return vec4f(style.ink_colour, style.opacity * f32(mark.y) / 255.0);
         }
     }
     return textureLoad(cel, at, 0);

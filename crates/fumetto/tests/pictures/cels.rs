@@ -81,7 +81,10 @@ fn the_nearer_of_two_transparent_cels_lies_on_top() {
 
 /// A single puff of smoke at frame 1, with `more` keys of its emitter.
 fn puff(background: &str, shape: &str, more: &str) -> Picture {
-    let mut stage = Stage { background: background.into(), ..Stage::default() };
+    puff_on(Stage { background: background.into(), ..Stage::default() }, shape, more)
+}
+
+fn puff_on(mut stage: Stage, shape: &str, more: &str) -> Picture {
     write!(
         stage.objects,
         "[[object]]\nname = \"puff\"\nkind = \"smoke\"\nshape = {{ puffs = {{ {shape} }} }}\n[object.emitter]\n\
@@ -114,4 +117,19 @@ fn opacity_over_life_becomes_alpha() {
         assert!(middle[3].abs_diff(alpha) <= 1, "{middle:?} should have alpha {alpha}");
         assert_eq!(picture.rgba(2, 2)[3], 0);
     }
+}
+
+#[test]
+fn ink_fades_with_the_puff_that_it_runs_round() {
+    let ink = "ink = { colour = \"#000000\", width = { px = 8 }, lit_thinning = 0, shortest = 0 }";
+    let stage = Stage { background: String::new(), style: style(&["#ffffff"], ink), ..Stage::default() };
+    let picture = puff_on(stage, "spheres = 1, variants = 1", "opacity_over_life = 0.6");
+    let alphas: Vec<u8> = picture
+        .places()
+        .map(|(x, y)| picture.rgba(x, y))
+        .filter(|&[r, _, _, alpha]| r == 0 && alpha > 0)
+        .map(|[_, _, _, alpha]| alpha)
+        .collect();
+    assert!(alphas.len() > 1_000, "there is a line: {} pixels", alphas.len());
+    assert!(alphas.iter().all(|alpha| alpha.abs_diff(153) <= 1), "{:?}", alphas.iter().max());
 }
