@@ -8,17 +8,18 @@
 //! no window and opens no file. [`Engine`] holds what lives long, [`Player`] one scene at one moment.
 //!
 //! ```no_run
-//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
-//! # let scene: fumetto_scene::Scene = unimplemented!();
-//! # struct Files;
-//! # impl fumetto::Assets for Files { fn read(&self, _: &str) -> std::io::Result<Vec<u8>> { Ok(vec![]) } }
-//! use fumetto::{Engine, Gpu, Shot};
+//! use fumetto::{Assets, Engine, Error, Gpu, Shot};
+//! use fumetto_formats::Image;
+//! use fumetto_scene::Scene;
 //!
-//! let mut engine = Engine::new(pollster::block_on(Gpu::headless())?);
-//! let mut player = engine.play(scene, Box::new(Files))?;
-//! engine.seek(&mut player, 24)?;
-//! let picture = engine.picture(&player, &Shot::of(player.scene()))?;
-//! # Ok(()) }
+//! /// The picture of a scene at frame 24; its files come from `files`.
+//! fn draw(scene: Scene, files: Box<dyn Assets>) -> Result<Image, Error> {
+//!     let mut engine = Engine::new(pollster::block_on(Gpu::headless())?);
+//!     let mut player = engine.play(scene, files)?;
+//!     engine.seek(&mut player, 24)?;
+//!     let shot = Shot::of(player.scene());
+//!     engine.picture(&player, &shot)
+//! }
 //! ```
 
 mod assets;

@@ -67,7 +67,7 @@ impl Gpu {
 /// Workgroups that cover `items`.
 ///
 /// Beyond the 65,535 that `WebGPU` allows along one axis they fold into rows; kernels get their item from
-/// `row * 65535 + column`.
+/// `row * columns + column`.
 pub(crate) fn workgroups(items: u32) -> [u32; 3] {
     let groups = items.div_ceil(WORKGROUP).max(1);
     let rows = groups.div_ceil(65_535);
