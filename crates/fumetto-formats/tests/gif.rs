@@ -139,10 +139,18 @@ fn pixels_below_half_alpha_are_clear_and_the_frame_before_does_not_show_through(
 
 #[test]
 fn it_loops_for_ever_and_a_second_takes_a_second() {
-    let frames = vec![drawing(8, 8); 24];
+    let frames: Vec<Image> = (0..24).map(|frame| picture(8, 8, |_, _| opaque([frame, 0, 0]))).collect();
     let decoded = decode(&encode(&frames, 24.0, false));
     assert_eq!(decoded.repeat, Repeat::Infinite);
     assert_eq!(decoded.delays.len(), 24);
+    assert_eq!(decoded.delays.iter().sum::<u16>(), 100);
+}
+
+#[test]
+fn a_held_drawing_is_written_once_and_shown_as_long() {
+    let frames: Vec<Image> = (0..24).map(|frame| picture(8, 8, |_, _| opaque([frame / 2, 0, 0]))).collect();
+    let decoded = decode(&encode(&frames, 24.0, false));
+    assert_eq!(decoded.delays.len(), 12, "on twos");
     assert_eq!(decoded.delays.iter().sum::<u16>(), 100);
 }
 
@@ -153,10 +161,11 @@ fn the_same_frames_give_the_same_bytes() {
 }
 
 #[test]
-fn what_was_pushed_before_a_drop_is_a_whole_file() {
+fn all_but_the_held_drawing_is_a_whole_file_after_a_drop() {
     let mut bytes = Vec::new();
     let mut writer = GifWriter::new(&mut bytes, 8, 8, 24.0, false, &[]).unwrap();
     writer.push(&drawing(8, 8)).unwrap();
+    writer.push(&picture(8, 8, |_, _| opaque([1, 2, 3]))).unwrap();
     drop(writer);
     assert_eq!(decode(&bytes).frames.len(), 1);
 }

@@ -19,7 +19,8 @@ use crate::{Image, WriteError};
 /// fit the rest of the picture, and every other colour becomes the nearest in the palette. Nothing is
 /// dithered, so a flat tone stays flat. The bytes depend on the frames alone.
 ///
-/// Dropping it early ends the file after the last whole frame.
+/// A drawing that is held over several frames is written once and shown for as long. It is written when
+/// the next one comes, or by [`finish`](Self::finish).
 pub struct GifWriter<W: Write> {
     encoder: Encoder<W>,
     width: u16,
@@ -27,6 +28,8 @@ pub struct GifWriter<W: Write> {
     clock: Clock,
     transparent: bool,
     keep: Vec<[u8; 3]>,
+    /// The drawing that may still be held.
+    held: Option<Frame<'static>>,
 }
 
 impl<W: Write> GifWriter<W> {
@@ -57,7 +60,7 @@ impl<W: Write> GifWriter<W> {
         };
         let mut encoder = Encoder::new(out, width, height, &[]).map_err(failed)?;
         encoder.set_repeat(Repeat::Infinite).map_err(failed)?;
-        Ok(Self { encoder, width, height, clock, transparent, keep: keep.to_vec() })
+        Ok(Self { encoder, width, height, clock, transparent, keep: keep.to_vec(), held: None })
     }
 
     /// Adds a frame.
@@ -82,16 +85,31 @@ impl<W: Write> GifWriter<W> {
             dispose: if self.transparent { DisposalMethod::Background } else { DisposalMethod::Keep },
             ..Frame::default()
         };
-        self.encoder.write_frame(&frame).map_err(failed)
+        match &mut self.held {
+            Some(held) if is_same_drawing(held, &frame) && held.delay.checked_add(frame.delay).is_some() => {
+                held.delay += frame.delay;
+                Ok(())
+            }
+            held => {
+                held.replace(frame).map_or(Ok(()), |done| self.encoder.write_frame(&done).map_err(failed))
+            }
+        }
     }
 
     /// Ends the file and gives the output back, not flushed.
     ///
     /// # Errors
     /// If the output refuses the last byte.
-    pub fn finish(self) -> Result<W, WriteError> {
+    pub fn finish(mut self) -> Result<W, WriteError> {
+        if let Some(last) = self.held.take() {
+            self.encoder.write_frame(&last).map_err(failed)?;
+        }
         self.encoder.into_inner().map_err(failed)
     }
+}
+
+fn is_same_drawing(one: &Frame<'_>, other: &Frame<'_>) -> bool {
+    one.buffer == other.buffer && one.palette == other.palette && one.transparent == other.transparent
 }
 
 fn failed(error: EncodingError) -> WriteError {
