@@ -110,13 +110,14 @@ impl Painter {
         let setting = self.set(gpu, player, shot);
         let visible = |index: &usize| player.scene().objects[*index].visible;
         let members = (0..player.scene().objects.len()).filter(visible).collect();
-        write_styles(gpu, &setting, &Cel { members, pre_shaded: false });
+        let cel = Cel { members, pre_shaded: false };
+        write_styles(gpu, &setting, &cel);
         let mut frame = Frame::new(gpu, pool, "proof");
         let (view, lights) = setting.uniforms(&frame);
         let subject = Subject { scene: &player.puffs, view: &view, lights: &lights };
         let room = self.room.as_ref().expect("setting makes room");
         let layers = self.fill(&mut frame, subject, room, setting.view.size, None);
-        self.form.record(&mut frame, subject.scene);
+        self.form.record(&mut frame, subject.scene, &cel.members);
         let normal = self.normal.record(&mut frame, subject, &layers, 1);
         let ink = self.outline.record(&mut frame, subject, &room.inks, &layers);
         frame.submit();
@@ -216,7 +217,7 @@ impl Painter {
         }
         let step = if setting.clean_px() >= 2.0 { 2 } else { 1 };
         let radius = (setting.clean_px() / step as f32).round() as u32;
-        self.form.record(frame, subject.scene);
+        self.form.record(frame, subject.scene, &cel.members);
         let normal = self.normal.record(frame, subject, layers, step);
         let normal =
             if radius == 0 { normal } else { self.soften.record(frame, &setting.view, normal, radius, step) };

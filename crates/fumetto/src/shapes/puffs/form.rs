@@ -91,22 +91,21 @@ impl Form {
         Self { measure, splat, blur: [blur_x, blur_y, blur_z], gradient }
     }
 
-    /// Works out the fields of the objects whose form is wanted.
-    pub(crate) fn record(&self, frame: &mut Frame<'_>, scene: &PuffScene) {
-        let field = &scene.form;
-        frame.encoder.clear_buffer(&field.matter, 0, None);
-        for (index, object) in (0..).zip(&scene.objects) {
-            if object.wants_form {
-                self.record_object(frame, scene, index);
+    /// Works out the fields of those members of a cel whose form is wanted.
+    pub(crate) fn record(&self, frame: &mut Frame<'_>, scene: &PuffScene, members: &[usize]) {
+        frame.encoder.clear_buffer(&scene.form.matter, 0, None);
+        for &member in members {
+            if scene.objects[member].wants_form {
+                self.record_object(frame, scene, member);
             }
         }
     }
 
-    fn record_object(&self, frame: &mut Frame<'_>, scene: &PuffScene, index: u32) {
+    fn record_object(&self, frame: &mut Frame<'_>, scene: &PuffScene, member: usize) {
         let field = &scene.form;
-        let range = &scene.objects[index as usize].range;
+        let range = &scene.objects[member].range;
         let count = range.len() as u32;
-        let object = ObjectUniform { first: range.start, count, index, side: field.side };
+        let object = ObjectUniform { first: range.start, count, index: member as u32, side: field.side };
         let object = frame.uniform("shapes.puffs.form.object", &object);
         let groups = [field.side.div_ceil(8), field.side.div_ceil(8), field.side.div_ceil(4)];
         let steps = [
