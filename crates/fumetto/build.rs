@@ -11,6 +11,8 @@ use naga::valid::{Capabilities, ValidationFlags, Validator};
 const PROGRAMS: &[(&str, &[&str])] = &[
     ("gpu/compact", &["gpu/compact"]),
     ("particles/step", &["gpu/random", "gpu/noise", "particles/state", "particles/air", "particles/step"]),
+    ("shapes/mesh/place", &["gpu/octahedral", "shapes/mesh/mesh", "shapes/mesh/place"]),
+    ("shapes/mesh/body", &["gpu/view", "shapes/mesh/mesh", "shapes/mesh/body"]),
     ("shapes/puffs/atlas", &["gpu/fullscreen", "shapes/puffs/atlas"]),
     (
         "shapes/puffs/present",
@@ -115,8 +117,12 @@ const PROGRAMS: &[(&str, &[&str])] = &[
             "gpu/fullscreen",
             "object",
             "shapes/puffs/puff",
+            "gpu/octahedral",
+            "shapes/mesh/mesh",
+            "shapes/mesh/surface",
             "light/lights",
             "tone/ramp",
+            "tone/srgb",
             "tone/flat",
         ],
     ),
@@ -148,7 +154,7 @@ const PROGRAMS: &[(&str, &[&str])] = &[
             "tone/copied",
         ],
     ),
-    ("tone/compose", &["gpu/fullscreen", "object", "tone/compose"]),
+    ("tone/compose", &["gpu/fullscreen", "object", "tone/srgb", "tone/compose"]),
 ];
 
 /// What every `WebGPU` adapter can do: `pack2x16float` counts as a capability of its own here.

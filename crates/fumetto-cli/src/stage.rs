@@ -66,6 +66,11 @@ impl Stage {
         self.trouble.check()
     }
 
+    /// The number of the drawing that `frame` shows.
+    pub(crate) fn drawing(&self, frame: u32) -> u32 {
+        self.player.drawing(frame)
+    }
+
     /// The picture of this moment.
     pub(crate) fn picture(&mut self, shot: &Shot) -> anyhow::Result<Image> {
         let picture = self.engine.picture(&self.player, shot);

@@ -10,8 +10,8 @@ pub const PARTICLE_BYTES: u64 = 80;
 /// default for one storage binding is 128 MiB.
 pub const MAX_PARTICLES: u64 = 1_500_000;
 
-/// Most objects in a scene: each is a cel with layers of its own.
-pub const MAX_OBJECTS: usize = 64;
+/// Most objects in a scene: each has four pens, and the ink layer tells 255 of them apart.
+pub const MAX_OBJECTS: usize = 63;
 
 /// Most lights in a scene: a uniform holds them all, and the first four that throw shadows have a channel each.
 pub const MAX_LIGHTS: usize = 8;
@@ -78,6 +78,10 @@ pub const SPREAD_DEG: Limit = Limit::closed(0.0, 180.0);
 pub const SPEED: Limit = Limit::closed(-1e6, 1e6);
 /// Accelerations.
 pub const ACCELERATION: Limit = Limit::closed(-1e6, 1e6);
+/// Angles between faces.
+pub const ANGLE_DEG: Limit = Limit::closed(0.0, 180.0);
+/// What stretches a model; 0 is refused besides.
+pub const STRETCH: Limit = Limit::closed(-1e6, 1e6);
 /// Octaves of turbulence.
 pub const OCTAVES: Limit = Limit::closed(1.0, 6.0);
 

@@ -5,8 +5,8 @@ mod common;
 
 use common::{load, load_with};
 use fumetto_scene::{
-    Background, Burst, Colour, Curve, EmitterShape, Force, Light, LightKind, Matter, Particle, Puffs, Ramp,
-    Scene, SceneText, Shading, Smoke, StyleChoice, Tone, Width,
+    Background, Burst, Colour, Curve, EmitterShape, Force, Light, LightKind, Matter, Mesh, Particle, Puffs,
+    Ramp, Scene, SceneText, Shading, Smoke, StyleChoice, Tone, Transform, Width,
 };
 
 fn srgb(hex: u32) -> Colour {
@@ -200,4 +200,40 @@ fn every_8_bit_colour_survives() {
         let srgb = [level, 255 - level, level / 2];
         assert_eq!(Colour::from_srgb8(srgb).to_srgb8(), srgb);
     }
+}
+
+#[test]
+fn a_mesh_stands_where_its_transforms_say() {
+    let scene = good(
+        r#"
+        format = 1
+        camera = { eye = [0, 1, 5], target = [0, 0, 0] }
+        light = [{ kind = "sun", direction = [0, -1, 0] }]
+        object = [
+            { name = "house", kind = "mesh", model = "house.glb", style = { material = 0.5 } },
+            { name = "trees", kind = "mesh", model = "tree.obj", up = "z", smooth = 30, transform = [
+                { position = [1, 2, 3], rotation = [0, 90, 0], scale = 2 },
+                { scale = [1, -2, 1] },
+            ] },
+        ]
+        "#,
+    );
+    let mesh = |index: usize| match &scene.objects[index].matter {
+        Matter::Mesh(mesh) => mesh.clone(),
+        other => panic!("{other:?} is no mesh"),
+    };
+    let house =
+        Mesh { model: "house.glb".into(), z_up: false, smooth_deg: None, copies: vec![Transform::default()] };
+    assert_eq!(mesh(0), house);
+    assert_eq!(scene.objects[0].style.material, 0.5);
+    let trees = Mesh {
+        model: "tree.obj".into(),
+        z_up: true,
+        smooth_deg: Some(30.0),
+        copies: vec![
+            Transform { position: [1.0, 2.0, 3.0], rotation_deg: [0.0, 90.0, 0.0], scale: [2.0; 3] },
+            Transform { scale: [1.0, -2.0, 1.0], ..Transform::default() },
+        ],
+    };
+    assert_eq!(mesh(1), trees);
 }

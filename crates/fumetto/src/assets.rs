@@ -1,6 +1,6 @@
 use std::io;
 
-use fumetto_formats::{Image, ParticleTable, read_particles, read_png};
+use fumetto_formats::{Image, Model, ModelOptions, ParticleTable, read_model, read_particles, read_png};
 
 use crate::Error;
 
@@ -19,6 +19,10 @@ pub(crate) fn load_particles(assets: &dyn Assets, path: &str) -> Result<Particle
 
 pub(crate) fn load_image(assets: &dyn Assets, path: &str) -> Result<Image, Error> {
     Ok(read_png(path, &read(assets, path)?)?)
+}
+
+pub(crate) fn load_model(assets: &dyn Assets, path: &str, options: ModelOptions) -> Result<Model, Error> {
+    Ok(read_model(path, &read(assets, path)?, options, &mut |beside| assets.read(beside))?)
 }
 
 fn read(assets: &dyn Assets, path: &str) -> Result<Vec<u8>, Error> {

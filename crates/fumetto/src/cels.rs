@@ -50,7 +50,7 @@ fn is_opaque(object: &Object) -> bool {
             .emitters
             .iter()
             .any(|emitter| emitter.opacity_over_life.points.iter().any(|&[_, opacity]| opacity < 1.0)),
-        Matter::Still(_) | Matter::File(_) => false,
+        Matter::Still(_) | Matter::File(_) | Matter::Mesh(_) => false,
     };
     object.opacity >= 1.0 && !fades
 }
@@ -65,6 +65,7 @@ fn anchor(object: &Object) -> Vec3 {
     match &object.matter {
         Matter::Still(particles) => mean(&mut particles.iter().map(|particle| particle.center.into())),
         Matter::File(_) => Vec3::ZERO,
+        Matter::Mesh(mesh) => mean(&mut mesh.copies.iter().map(|copy| copy.position.into())),
         Matter::Smoke(smoke) => mean(&mut smoke.emitters.iter().map(|emitter| match emitter.shape {
             Shape::Point { center }
             | Shape::Disc { center, .. }

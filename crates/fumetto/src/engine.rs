@@ -8,7 +8,7 @@ use crate::{
     particles::Particles,
     player::PlayedMatter,
     proof::atlas_pictures,
-    shapes::puffs::Present,
+    shapes::{mesh::Place, puffs::Present},
 };
 
 /// What the picture is drawn into: sRGB bytes, straight alpha.
@@ -24,6 +24,7 @@ pub struct Engine {
     pool: TexturePool,
     particles: Particles,
     present: Present,
+    place: Place,
     painter: Painter,
 }
 
@@ -56,6 +57,7 @@ impl Engine {
         Self {
             particles: Particles::new(&gpu),
             present: Present::new(&gpu),
+            place: Place::new(&gpu),
             painter: Painter::new(&gpu),
             pool: TexturePool::default(),
             gpu,
@@ -90,6 +92,7 @@ impl Engine {
         }
         player.read_sequences(&self.gpu, frame)?;
         self.advance(player, u64::from(frame) * u64::from(player.scene().time.substeps));
+        player.animate(&self.gpu, frame);
         self.show(player);
         player.shown = Some(frame);
         Ok(())
@@ -119,9 +122,10 @@ impl Engine {
         }
     }
 
-    /// Turns the particles into puffs.
+    /// Turns the particles into puffs, and brings models to their places.
     fn show(&self, player: &Player) {
-        let mut frame = Frame::new(&self.gpu, &self.pool, "shapes.puffs.present");
+        let mut frame = Frame::new(&self.gpu, &self.pool, "shapes.present");
+        self.place.record(&mut frame, &player.meshes);
         for object in &player.objects {
             if let PlayedMatter::Smoke(emissions) = &object.matter {
                 let mut placement = object.placement;

@@ -3,7 +3,10 @@ use std::io;
 use fumetto_formats::FormatError;
 use thiserror::Error;
 
-use crate::{gpu::GpuError, shapes::puffs::AtlasError};
+use crate::{
+    gpu::GpuError,
+    shapes::{mesh::MeshError, puffs::AtlasError},
+};
 
 /// Why a scene cannot be played or drawn.
 #[derive(Debug, Error)]
@@ -22,6 +25,9 @@ pub enum Error {
     /// The puffs' pictures do not fit into one texture.
     #[error(transparent)]
     Atlas(#[from] AtlasError),
+    /// The models are larger than the device can hold.
+    #[error(transparent)]
+    Mesh(#[from] MeshError),
     /// The picture is too large to draw at once.
     #[error(
         "a picture of {width} x {height} pixels with {antialias} samples along each side of a pixel needs a \

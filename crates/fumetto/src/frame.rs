@@ -11,6 +11,7 @@ use crate::{
     light::{LightsUniform, SHADOW_QUADS, Shadows, Soften, Stencil},
     object::ObjectStyle,
     proof::Proof,
+    shapes::mesh,
     shapes::puffs::{Body, FRONT, Form, INK, Normal, Occlusion, PuffScene, Pyramid, QUADS, REST, Subject},
     tone::{CEL_FORMAT, Compose, Copied, Flat, InkedCel, Sprites, Under},
 };
@@ -24,6 +25,7 @@ pub(crate) struct Painter {
     compact: Compact,
     occlusion: Occlusion,
     form: Form,
+    meshes: mesh::Body,
     body: Body,
     normal: Normal,
     shadows: Shadows,
@@ -61,6 +63,7 @@ impl Painter {
             compact: Compact::new(gpu),
             occlusion: Occlusion::new(gpu),
             form: Form::new(gpu),
+            meshes: mesh::Body::new(gpu),
             body: Body::new(gpu),
             normal: Normal::new(gpu),
             shadows: Shadows::new(gpu),
@@ -114,9 +117,9 @@ impl Painter {
         write_styles(gpu, &setting, &cel);
         let mut frame = Frame::new(gpu, pool, "proof");
         let (view, lights) = setting.uniforms(&frame);
-        let subject = Subject { scene: &player.puffs, view: &view, lights: &lights };
+        let subject = Subject { scene: &player.puffs, meshes: &player.meshes, view: &view, lights: &lights };
         let room = self.room.as_ref().expect("setting makes room");
-        let layers = self.fill(&mut frame, subject, room, setting.view.size, None);
+        let layers = self.fill(&mut frame, subject, room, (&cel.members, setting.view.size), None);
         self.form.record(&mut frame, subject.scene, &cel.members);
         let normal = self.normal.record(&mut frame, subject, &layers, 1);
         let ink = self.outline.record(&mut frame, subject, &room.inks, &layers);
@@ -146,9 +149,10 @@ impl Painter {
     ) -> Layers {
         let room = self.room.as_ref().expect("room is made before a cel is painted");
         let (view, lights) = setting.uniforms(frame);
-        let subject = Subject { scene: &setting.player.puffs, view: &view, lights: &lights };
+        let Player { puffs, meshes, .. } = setting.player;
+        let subject = Subject { scene: puffs, meshes, view: &view, lights: &lights };
 
-        let layers = self.fill(frame, subject, room, setting.view.size, opaque);
+        let layers = self.fill(frame, subject, room, (&cel.members, setting.view.size), opaque);
         let shadow = self.shadow(frame, subject, setting, room, &layers);
         let painted = self.tone(frame, subject, setting, cel, (&layers, &shadow));
         let ink = self.outline.record(frame, subject, &room.inks, &layers);
@@ -164,12 +168,13 @@ impl Painter {
         frame: &mut Frame<'_>,
         subject: Subject<'_>,
         room: &Room,
-        size: [u32; 2],
+        (members, size): (&[usize], [u32; 2]),
         nearer: Option<&Layers>,
     ) -> Layers {
         let listing = |mask| Listing { items: subject.scene.count, mask, quads: QUADS };
         let layers = Layers::new(frame, size);
         layers.begin(frame, nearer);
+        self.meshes.record(frame, subject, members, layers.target());
         self.occlusion.front(frame, subject, &room.pyramid, &room.flags);
         self.compact.record(frame, &room.flags, listing(FRONT), &room.list);
         self.body.record(frame, subject, &room.list, layers.target());

@@ -22,7 +22,8 @@ pub(crate) struct ObjectStyle {
     shadow_size: f32,
     flags: u32,
     form_scale: f32,
-    pad: [f32; 2],
+    material: f32,
+    pad: f32,
 }
 
 const HAS_INK: u32 = 1;
@@ -58,7 +59,8 @@ impl ObjectStyle {
                 | flag(style.shadow.on && object.visible, THROWS_SHADOW)
                 | flag(in_cel, IN_CEL),
             form_scale: style.form_scale,
-            pad: [0.0; 2],
+            material: style.material,
+            pad: 0.0,
         }
     }
 
@@ -73,5 +75,5 @@ mod tests {
     use super::*;
     use crate::gpu::layout_test;
 
-    layout_test!(lies_as_its_twin: ObjectStyle, "ObjectStyle" of "tone/flat" { ink_colour, ink_width_px, ink_width_m, ink_offset, ink_inner, ink_lit_thinning, ink_shortest_px, form, wrap, opacity, ramp_row, shadow_reach, shadow_start, shadow_size, flags, form_scale });
+    layout_test!(lies_as_its_twin: ObjectStyle, "ObjectStyle" of "tone/flat" { ink_colour, ink_width_px, ink_width_m, ink_offset, ink_inner, ink_lit_thinning, ink_shortest_px, form, wrap, opacity, ramp_row, shadow_reach, shadow_start, shadow_size, flags, form_scale, material });
 }

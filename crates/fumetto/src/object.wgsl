@@ -21,7 +21,9 @@ struct ObjectStyle {
     // Bit 0: has ink. Bit 1: throws shadows. Bit 2: is drawn in this cel.
     flags: u32,
     form_scale: f32,
-    pad: vec2f,
+    // Share of a mesh's own colours.
+    material: f32,
+    pad: f32,
 }
 
 const HAS_INK: u32 = 1u;

@@ -1,17 +1,20 @@
 //! Time: one scene, played to one moment.
 
-use std::collections::BTreeMap;
+use std::{collections::BTreeMap, ops::Range};
 
-use fumetto_formats::{is_sequence, sequence_path};
-use fumetto_scene::{Matter, Object, Particle, Puffs, Ramp, Scene};
+use fumetto_formats::{Model, ModelOptions, is_sequence, sequence_path};
+use fumetto_scene::{Matter, Mesh, Object, Particle, Puffs, Ramp, Scene};
 
 use crate::{
     Assets, Error,
-    assets::{load_image, load_particles},
+    assets::{load_image, load_model, load_particles},
     gpu::Gpu,
     object::ObjectStyle,
     particles::Emission,
-    shapes::puffs::{Atlas, Placement, PuffObject, PuffScene, still_puffs},
+    shapes::{
+        mesh::{Geometry, MeshScene},
+        puffs::{Atlas, Placement, PuffObject, PuffScene, still_puffs},
+    },
     tone::{Backdrop, Ramps},
 };
 
@@ -24,6 +27,8 @@ pub struct Player {
     assets: Box<dyn Assets>,
     pub(crate) objects: Vec<PlayedObject>,
     pub(crate) puffs: PuffScene,
+    pub(crate) meshes: MeshScene,
+    geometry: Geometry,
     pub(crate) ramps: Ramps,
     pub(crate) backdrop: Backdrop,
     /// Steps of the simulation done so far.
@@ -46,6 +51,14 @@ pub(crate) enum PlayedMatter {
     /// A numbered sequence of particle files, and the particles of the frame that is shown.
     Sequence(String, Vec<Particle>),
     Smoke(Vec<Emission>),
+    Model(Box<PlayedModel>),
+}
+
+/// A model with its copies, and which parts of the scene's geometry they are.
+pub(crate) struct PlayedModel {
+    mesh: Mesh,
+    model: Model,
+    parts: Range<usize>,
 }
 
 impl PlayedMatter {
@@ -53,6 +66,7 @@ impl PlayedMatter {
         match self {
             Self::Still(particles) | Self::Sequence(_, particles) => particles.len() as u64,
             Self::Smoke(emissions) => emissions.iter().map(|emission| u64::from(emission.capacity())).sum(),
+            Self::Model(_) => 0,
         }
     }
 }
@@ -64,8 +78,15 @@ impl Player {
         let first_frame = scene.time.frames[0] - scene.time.frames[0] % scene.time.hold;
         let (variants, atlas) = atlas(gpu, &scene)?;
         let mut objects = Vec::with_capacity(scene.objects.len());
+        let mut geometry = Geometry::default();
         for (index, object) in (0..).zip(&scene.objects) {
-            let matter = play_matter(gpu, &scene, object, index, &*assets, first_frame, &mut notes)?;
+            let matter = match &object.matter {
+                Matter::Mesh(mesh) => play_mesh(mesh, &*assets, &mut geometry, &mut notes)?,
+                _ => {
+                    geometry.add_nothing();
+                    play_matter(gpu, &scene, object, index, &*assets, first_frame, &mut notes)?
+                }
+            };
             let capacity = matter.count() as u32;
             let placement = Placement {
                 first: 0,
@@ -78,9 +99,11 @@ impl Player {
             objects.push(PlayedObject { matter, placement, capacity });
         }
         let puffs = place(gpu, &scene, &mut objects, atlas)?;
+        let meshes = MeshScene::new(gpu, &geometry)?;
         let ramps = load_ramps(gpu, &scene, &*assets)?;
         let backdrop = load_backdrop(gpu, &scene, &*assets)?;
-        Ok(Self { scene, assets, objects, puffs, ramps, backdrop, steps: 0, shown: None, notes })
+        let (steps, shown) = (0, None);
+        Ok(Self { scene, assets, objects, puffs, meshes, geometry, ramps, backdrop, steps, shown, notes })
     }
 
     /// The scene that is played.
@@ -105,8 +128,20 @@ impl Player {
     pub(crate) fn emissions(&self) -> impl Iterator<Item = &Emission> {
         self.objects.iter().flat_map(|object| match &object.matter {
             PlayedMatter::Smoke(emissions) => emissions.as_slice(),
-            PlayedMatter::Still(_) | PlayedMatter::Sequence(..) => &[],
+            PlayedMatter::Still(_) | PlayedMatter::Sequence(..) | PlayedMatter::Model(_) => &[],
         })
+    }
+
+    /// The number of the drawing that `frame` shows: frames that are held share one, and so do all frames
+    /// of a scene in which nothing moves.
+    #[must_use]
+    pub fn drawing(&self, frame: u32) -> u32 {
+        let stands = |object: &PlayedObject| match &object.matter {
+            PlayedMatter::Still(_) => true,
+            PlayedMatter::Sequence(..) | PlayedMatter::Smoke(_) => false,
+            PlayedMatter::Model(played) => !played.model.is_animated(),
+        };
+        if self.objects.iter().all(stands) { 0 } else { self.held(frame) }
     }
 
     /// The frame whose state is drawn when `frame` is asked for: every second one on twos.
@@ -131,6 +166,19 @@ impl Player {
         }
         self.upload_sequences(gpu);
         Ok(())
+    }
+
+    /// Moves the parts of animated models to where they are at `frame`.
+    pub(crate) fn animate(&mut self, gpu: &Gpu, frame: u32) {
+        let time_secs = frame as f32 / self.scene.time.fps;
+        for object in &self.objects {
+            if let PlayedMatter::Model(played) = &object.matter
+                && played.model.is_animated()
+            {
+                self.geometry.animate(played.parts.clone(), &played.mesh, &played.model, time_secs);
+            }
+        }
+        self.meshes.upload_parts(gpu, &self.geometry.parts);
     }
 
     /// Writes the puffs of what does not move.
@@ -171,6 +219,10 @@ fn atlas(gpu: &Gpu, scene: &Scene) -> Result<(Vec<u32>, Atlas), Error> {
     let mut kinds: Vec<Puffs> = Vec::new();
     let mut firsts = Vec::with_capacity(scene.objects.len());
     for object in &scene.objects {
+        if matches!(object.matter, Matter::Mesh(_)) {
+            firsts.push(0);
+            continue;
+        }
         let puffs = Puffs { size: 1.0, ..object.puffs };
         let known = kinds.iter().position(|kind| *kind == puffs).unwrap_or_else(|| {
             kinds.push(puffs);
@@ -183,6 +235,18 @@ fn atlas(gpu: &Gpu, scene: &Scene) -> Result<(Vec<u32>, Atlas), Error> {
 
 fn seed_of(scene: &Scene, index: u32) -> u32 {
     scene.seed.wrapping_mul(0x85eb_ca6b).wrapping_add(index.wrapping_mul(0xc2b2_ae35))
+}
+
+fn play_mesh(
+    mesh: &Mesh,
+    assets: &dyn Assets,
+    geometry: &mut Geometry,
+    notes: &mut Vec<String>,
+) -> Result<PlayedMatter, Error> {
+    let model = load_model(assets, &mesh.model, ModelOptions { smooth_degrees: mesh.smooth_deg })?;
+    notes.extend(model.notes.iter().cloned());
+    let parts = geometry.add(mesh, &model);
+    Ok(PlayedMatter::Model(Box::new(PlayedModel { mesh: mesh.clone(), model, parts })))
 }
 
 fn play_matter(
@@ -214,6 +278,7 @@ fn play_matter(
             });
             PlayedMatter::Smoke(emissions.collect())
         }
+        Matter::Mesh(_) => unreachable!("models are played with the scene's geometry"),
     })
 }
 

@@ -5,8 +5,10 @@ use std::process::ExitCode;
 
 use anyhow::Context as _;
 use fumetto::Assets as _;
-use fumetto_formats::{FormatError, is_sequence, read_particles, read_png, sequence_path};
-use fumetto_scene::{Background, Matter, Ramp, Report, Scene, Time};
+use fumetto_formats::{
+    FormatError, ModelOptions, is_sequence, read_model, read_particles, read_png, sequence_path,
+};
+use fumetto_scene::{Background, Matter, Mesh, Ramp, Report, Scene, Time};
 
 use crate::args::CheckArgs;
 use crate::console;
@@ -51,10 +53,16 @@ fn check_files(opened: &Opened) -> Vec<String> {
         }
     };
     for object in &scene.objects {
-        if let Matter::File(path) = &object.matter {
-            for result in check_particles(folder, path, &scene.time) {
-                note(format!("the particles of `{}`", object.name), result);
+        match &object.matter {
+            Matter::File(path) => {
+                for result in check_particles(folder, path, &scene.time) {
+                    note(format!("the particles of `{}`", object.name), result);
+                }
             }
+            Matter::Mesh(mesh) => {
+                note(format!("the model of `{}`", object.name), check_model(folder, mesh));
+            }
+            Matter::Still(_) | Matter::Smoke(_) => {}
         }
     }
     for (ramp, objects) in ramps(scene) {
@@ -80,6 +88,13 @@ fn check_particles(folder: &SceneFolder, path: &str, time: &Time) -> Vec<anyhow:
 
 fn check_one(folder: &SceneFolder, path: &str) -> anyhow::Result<()> {
     check(folder, path, |bytes| read_particles(path, bytes).map(drop))
+}
+
+fn check_model(folder: &SceneFolder, mesh: &Mesh) -> anyhow::Result<()> {
+    let options = ModelOptions { smooth_degrees: mesh.smooth_deg };
+    check(folder, &mesh.model, |bytes| {
+        read_model(&mesh.model, bytes, options, &mut |beside| folder.read(beside)).map(drop)
+    })
 }
 
 fn check_picture(folder: &SceneFolder, path: &str) -> anyhow::Result<()> {

@@ -32,7 +32,7 @@ pub(crate) fn run(args: &RenderArgs) -> anyhow::Result<ExitCode> {
         match &mut stage {
             Some(stage) if !plan.is_done(frame) => {
                 let drawing = match shown.take() {
-                    Some(held) if held.number == plan.drawing(frame) => held,
+                    Some(held) if held.number == stage.drawing(frame) => held,
                     _ => draw(stage, &plan, frame, &interrupt)?,
                 };
                 sink.write(&plan, frame, &drawing)?;
@@ -51,5 +51,5 @@ fn draw(stage: &mut Stage, plan: &Plan, frame: u32, interrupt: &Interrupt) -> an
     stage.seek(frame, interrupt)?;
     let picture = stage.picture(&plan.shot)?;
     let layers = plan.layers.iter().map(|&layer| stage.layer(&plan.shot, layer)).collect::<Result<_, _>>()?;
-    Ok(Drawing { number: plan.drawing(frame), picture, layers })
+    Ok(Drawing { number: stage.drawing(frame), picture, layers })
 }

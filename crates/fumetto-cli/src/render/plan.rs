@@ -1,8 +1,8 @@
 use std::path::Path;
 
 use fumetto::{Layer, Shot};
-use fumetto_formats::{is_sequence, sequence_path};
-use fumetto_scene::{Camera, Matter, Scene};
+use fumetto_formats::sequence_path;
+use fumetto_scene::{Camera, Scene};
 
 use super::with_part;
 use crate::args::{FrameRange, RenderArgs, Target, TargetKind};
@@ -15,8 +15,6 @@ pub(crate) struct Plan {
     pub(crate) layers: Vec<Layer>,
     pub(crate) target: Target,
     resume: bool,
-    hold: u32,
-    is_still: bool,
 }
 
 impl Plan {
@@ -58,19 +56,7 @@ impl Plan {
                 layers.push(*layer);
             }
         }
-        let is_still = scene.objects.iter().all(|object| match &object.matter {
-            Matter::Still(_) => true,
-            Matter::File(path) => !is_sequence(path),
-            Matter::Smoke(_) => false,
-        });
-        let (target, resume, hold) = (args.out.clone(), args.resume, scene.time.hold);
-        Ok(Self { frames, shot, layers, target, resume, hold, is_still })
-    }
-
-    /// The number of the drawing that `frame` shows: frames that are held share one, and so do all
-    /// frames of a scene in which nothing moves.
-    pub(crate) fn drawing(&self, frame: u32) -> u32 {
-        if self.is_still { self.frames.first } else { frame - frame % self.hold }
+        Ok(Self { frames, shot, layers, target: args.out.clone(), resume: args.resume })
     }
 
     /// The file that `frame` goes to.

@@ -5,6 +5,8 @@
 //! looked at; whoever calls throws the result away if an error was reported.
 
 mod at;
+mod ink;
+mod mesh;
 mod object;
 mod puffs;
 mod scene;

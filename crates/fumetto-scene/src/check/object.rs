@@ -1,5 +1,4 @@
-use super::puffs::puffs;
-use super::{At, Styles, smoke::smoke};
+use super::{At, Styles, mesh::mesh, puffs::puffs, smoke::smoke};
 use crate::file::{ObjectFile, ObjectKind, ParticlesFile};
 use crate::limits::{MAX_PARTICLES, PARTICLE_BYTES};
 use crate::{Matter, Object, Particle, Style};
@@ -41,32 +40,39 @@ pub(super) fn object(
     object
 }
 
+/// Keys that only some kinds have, with those kinds.
+const KEYS: [(&str, &[ObjectKind]); 8] = [
+    ("particles", &[ObjectKind::Cloud]),
+    ("emitter", &[ObjectKind::Smoke]),
+    ("force", &[ObjectKind::Smoke]),
+    ("shape", &[ObjectKind::Cloud, ObjectKind::Smoke]),
+    ("model", &[ObjectKind::Mesh]),
+    ("up", &[ObjectKind::Mesh]),
+    ("smooth", &[ObjectKind::Mesh]),
+    ("transform", &[ObjectKind::Mesh]),
+];
+
 fn matter(at: &At<'_>, file: &ObjectFile) -> Matter {
+    for (key, kinds) in KEYS {
+        let at = at.key(key);
+        if at.exists() && !kinds.contains(&file.kind) {
+            let message = format!("`{key}` is no key of kind {:?}", kind_name(file.kind));
+            let owners: Vec<_> = kinds.iter().map(|&kind| format!("kind = {:?}", kind_name(kind))).collect();
+            at.error("wrong-kind", message, format!("write {}, or leave this out", owners.join(" or ")));
+        }
+    }
     match file.kind {
-        ObjectKind::Cloud => {
-            belongs_to_smoke(&at.key("emitter"));
-            belongs_to_smoke(&at.key("force"));
-            cloud(at, file)
-        }
-        ObjectKind::Smoke => {
-            let particles = at.key("particles");
-            if particles.exists() {
-                let message = "`particles` is no key of kind \"smoke\", whose particles come from emitters";
-                particles.error(
-                    "wrong-kind",
-                    message.into(),
-                    "write kind = \"cloud\", or an [[object.emitter]]",
-                );
-            }
-            Matter::Smoke(smoke(at, file))
-        }
+        ObjectKind::Cloud => cloud(at, file),
+        ObjectKind::Smoke => Matter::Smoke(smoke(at, file)),
+        ObjectKind::Mesh => Matter::Mesh(mesh(at, file)),
     }
 }
 
-fn belongs_to_smoke(at: &At<'_>) {
-    if at.exists() {
-        let message = format!("`{}` is no key of kind \"cloud\", whose particles stand still", at.name());
-        at.error("wrong-kind", message, "write kind = \"smoke\", or leave this out");
+fn kind_name(kind: ObjectKind) -> &'static str {
+    match kind {
+        ObjectKind::Smoke => "smoke",
+        ObjectKind::Cloud => "cloud",
+        ObjectKind::Mesh => "mesh",
     }
 }
 

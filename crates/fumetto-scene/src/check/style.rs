@@ -1,13 +1,13 @@
 use super::At;
+use super::ink::ink;
 use super::tones::tones;
-use super::values::colour;
-use crate::file::{InkFile, ShadingFile, ShadowFile, StyleFile, WidthFile};
+use crate::file::{ShadingFile, ShadowFile, StyleFile};
 use crate::fit;
 use crate::load::{Resolve, StyleChoice};
 use crate::presets;
 use crate::report::Log;
 use crate::text::parse_document;
-use crate::{Ink, Ramp, Shading, Shadow, Style, Width};
+use crate::{Ramp, Shading, Shadow, Style};
 
 /// Lays styles over each other: built-in values, then a preset or a style file, then changes.
 pub(crate) struct Styles<'a> {
@@ -113,6 +113,7 @@ fn apply(at: &At<'_>, file: &StyleFile, style: &mut Style) {
     put(&mut style.form_scale, file.form_scale);
     put(&mut style.wrap, file.wrap);
     put(&mut style.clean_px, file.clean.map(|clean| clean.px));
+    put(&mut style.material, file.material);
     put(&mut style.height_px, file.height);
     put(&mut style.shading, file.shading.map(Shading::from));
     if let Some(file) = &file.ink {
@@ -123,20 +124,10 @@ fn apply(at: &At<'_>, file: &StyleFile, style: &mut Style) {
     }
 }
 
-fn put<T>(slot: &mut T, value: Option<T>) {
+pub(super) fn put<T>(slot: &mut T, value: Option<T>) {
     if let Some(value) = value {
         *slot = value;
     }
-}
-
-fn ink(at: &At<'_>, file: &InkFile, ink: &mut Ink) {
-    put(&mut ink.on, file.on);
-    put(&mut ink.colour, file.colour.as_ref().map(|file| colour(&at.key("colour"), file)));
-    put(&mut ink.width, file.width.map(Width::from));
-    put(&mut ink.offset, file.offset);
-    put(&mut ink.inner, file.inner);
-    put(&mut ink.lit_thinning, file.lit_thinning);
-    put(&mut ink.shortest, file.shortest);
 }
 
 fn shadow(file: &ShadowFile, shadow: &mut Shadow) {
@@ -144,15 +135,6 @@ fn shadow(file: &ShadowFile, shadow: &mut Shadow) {
     put(&mut shadow.reach, file.reach);
     put(&mut shadow.start, file.start);
     put(&mut shadow.size, file.size);
-}
-
-impl From<WidthFile> for Width {
-    fn from(file: WidthFile) -> Self {
-        match file {
-            WidthFile::Px(px) => Self::Px(px),
-            WidthFile::World(world) => Self::World(world),
-        }
-    }
 }
 
 impl From<ShadingFile> for Shading {

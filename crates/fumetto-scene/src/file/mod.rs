@@ -3,16 +3,18 @@
 //! The doc comments here are the descriptions in the JSON Schema, so they speak to people who write
 //! scenes: units, ranges and defaults.
 
+mod ink;
+mod mesh;
 mod object;
 mod scene;
 mod smoke;
 mod style;
 mod values;
 
+pub use ink::{CreaseFile, HiddenLinesFile, InkFile, InkMethodFile, PenFile, WidthFile};
+pub use mesh::{ScaleFile, TransformFile, UpFile};
 pub use object::{ObjectFile, ObjectKind, ParticleFile, ParticlesFile, PuffsFile, ShapeFile};
 pub use scene::{BackgroundFile, CameraFile, LightFile, OutputFile, SceneFile, TimeFile};
 pub use smoke::{BurstFile, EmitterFile, EmitterShapeFile, ForceFile};
-pub use style::{
-    InkFile, PixelsFile, PlacedToneFile, ShadingFile, ShadowFile, StyleFile, ToneFile, WidthFile,
-};
+pub use style::{PixelsFile, PlacedToneFile, ShadingFile, ShadowFile, StyleFile, ToneFile};
 pub use values::{ColourFile, CurveFile, OneOrMany, RangeFile};

@@ -1,7 +1,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{EmitterFile, ForceFile, OneOrMany, StyleFile};
+use super::{EmitterFile, ForceFile, OneOrMany, StyleFile, TransformFile, UpFile};
 use crate::limits;
 
 /// A thing in the scene: matter, its shape, and how it is drawn.
@@ -26,7 +26,18 @@ pub struct ObjectFile {
     pub emitter: Option<OneOrMany<EmitterFile>>,
     /// What moves the particles of a `kind = "smoke"`.
     pub force: Option<Vec<ForceFile>>,
-    /// How the matter gets a shape. Default: puffs.
+    /// The model of a `kind = "mesh"`: a .glb, .gltf or .obj file relative to the scene file.
+    pub model: Option<String>,
+    /// Which way is up in the model's file: "y" (the default, as in glTF) or "z".
+    pub up: Option<UpFile>,
+    /// Works the model's normals out anew: faces that meet at a smaller angle than this, in degrees, blend.
+    /// Without it the file's own are kept.
+    #[schemars(transform = &limits::ANGLE_DEG)]
+    pub smooth: Option<f32>,
+    /// Where the model of a `kind = "mesh"` stands: one table, or several `[[object.transform]]` for
+    /// several copies.
+    pub transform: Option<OneOrMany<TransformFile>>,
+    /// How particles get a shape. Default: puffs.
     pub shape: Option<ShapeFile>,
     /// How it is drawn: the scene's style with these changes.
     pub style: Option<StyleFile>,
@@ -48,6 +59,8 @@ pub enum ObjectKind {
     Smoke,
     /// Particles that are given.
     Cloud,
+    /// A model: a house, a train, a lamp.
+    Mesh,
 }
 
 /// Particles that are given.

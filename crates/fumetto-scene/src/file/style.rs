@@ -1,7 +1,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::ColourFile;
+use super::{ColourFile, InkFile};
 use crate::limits;
 
 /// How an object is drawn. Keys that are left out keep what the preset, or the scene's style, says.
@@ -28,6 +28,10 @@ pub struct StyleFile {
     pub wrap: Option<f32>,
     /// Flat tones smaller than this join their surroundings; 0 keeps all.
     pub clean: Option<PixelsFile>,
+    /// How much of its own colours a mesh shows: tones are multiplied by them, from not at all (0) to
+    /// fully (1).
+    #[schemars(transform = &limits::SHARE)]
+    pub material: Option<f32>,
     /// How tones get onto puffs.
     pub shading: Option<ShadingFile>,
     /// Lines.
@@ -82,41 +86,6 @@ pub enum ShadingFile {
     PerPixel,
     /// Puffs are shaded once a frame and then copied: suns only, and `form` counts as 0.
     PreShaded,
-}
-
-/// Lines.
-#[derive(Clone, Debug, Default, Deserialize, JsonSchema, PartialEq, Serialize)]
-#[serde(default, deny_unknown_fields)]
-pub struct InkFile {
-    /// Whether there are any.
-    pub on: Option<bool>,
-    /// Their colour.
-    pub colour: Option<ColourFile>,
-    /// How wide the outline is.
-    pub width: Option<WidthFile>,
-    /// How far ink lies behind its particle, in widths of the particle: the larger, the fewer inner
-    /// lines.
-    #[schemars(transform = &limits::FACTOR)]
-    pub offset: Option<f32>,
-    /// Width of inner lines over the outline's, 0 to 1.
-    #[schemars(transform = &limits::SHARE)]
-    pub inner: Option<f32>,
-    /// How much thinner lines are where they face the light, 0 to 1.
-    #[schemars(transform = &limits::SHARE)]
-    pub lit_thinning: Option<f32>,
-    /// Lines shorter than this many widths are left out.
-    #[schemars(transform = &limits::FACTOR)]
-    pub shortest: Option<f32>,
-}
-
-/// Width of a line: exactly one of these.
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum WidthFile {
-    /// In pixels at the style's `height`, above 0.
-    Px(#[schemars(transform = &limits::WIDTH_PX)] f32),
-    /// In metres, above 0.
-    World(#[schemars(transform = &limits::WIDTH_WORLD)] f32),
 }
 
 /// Hard shadows.

@@ -44,6 +44,7 @@ impl Object {
         match &self.matter {
             Matter::Still(particles) => Some(particles.len() as u64),
             Matter::File(_) => None,
+            Matter::Mesh(_) => Some(0),
             Matter::Smoke(smoke) => {
                 let capacities = smoke.emitters.iter().map(|emitter| emitter.capacity(step_secs));
                 Some(capacities.fold(0, u64::saturating_add))

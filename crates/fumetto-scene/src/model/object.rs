@@ -1,4 +1,4 @@
-use crate::{Particle, Puffs, Smoke, Style};
+use crate::{Mesh, Particle, Puffs, Smoke, Style};
 
 /// A thing in the scene: matter, its shape, and how it is drawn.
 #[derive(Clone, Debug, PartialEq)]
@@ -9,7 +9,7 @@ pub struct Object {
     pub visible: bool,
     /// What it is made of.
     pub matter: Matter,
-    /// How its matter gets a shape.
+    /// How its particles get a shape.
     pub puffs: Puffs,
     /// How it is drawn: the scene's style with the object's changes.
     pub style: Style,
@@ -26,4 +26,6 @@ pub enum Matter {
     File(String),
     /// Particles that emitters make and forces move.
     Smoke(Smoke),
+    /// Triangles of a model.
+    Mesh(Mesh),
 }

@@ -1,4 +1,4 @@
-use crate::Colour;
+use crate::{Colour, Ink};
 
 /// How an object is drawn.
 #[derive(Clone, Debug, PartialEq)]
@@ -13,6 +13,9 @@ pub struct Style {
     pub wrap: f32,
     /// Flat tones smaller than this many pixels join their surroundings; 0 keeps all.
     pub clean_px: f32,
+    /// How much of its own colours a mesh shows: tones are multiplied by them, from not at all (0) to
+    /// fully (1).
+    pub material: f32,
     /// How tones get onto puffs.
     pub shading: Shading,
     /// Lines.
@@ -54,35 +57,6 @@ pub enum Shading {
     PreShaded,
 }
 
-/// Lines.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Ink {
-    /// Whether there are any.
-    pub on: bool,
-    /// Their colour.
-    pub colour: Colour,
-    /// How wide the outline is.
-    pub width: Width,
-    /// How far the ink billboard lies behind its particle, in widths of the particle: the larger,
-    /// the fewer inner lines (McGuire's *d*).
-    pub offset: f32,
-    /// Width of inner lines over the outline's, 0 to 1.
-    pub inner: f32,
-    /// How much thinner lines are where they face the light, 0 to 1.
-    pub lit_thinning: f32,
-    /// Lines shorter than this many widths are left out.
-    pub shortest: f32,
-}
-
-/// Width of a line.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Width {
-    /// In pixels at [`Style::height_px`].
-    Px(f32),
-    /// In metres.
-    World(f32),
-}
-
 /// Hard shadows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Shadow {
@@ -106,24 +80,11 @@ impl Default for Style {
             form_scale: 3.0,
             wrap: 0.0,
             clean_px: 0.0,
+            material: 1.0,
             shading: Shading::Auto,
             ink: Ink::default(),
             shadow: Shadow::default(),
             height_px: 720.0,
-        }
-    }
-}
-
-impl Default for Ink {
-    fn default() -> Self {
-        Self {
-            on: true,
-            colour: Colour::from_srgb8([0; 3]),
-            width: Width::Px(2.0),
-            offset: 1.0,
-            inner: 1.0,
-            lit_thinning: 0.0,
-            shortest: 0.0,
         }
     }
 }

@@ -33,8 +33,19 @@ fn ray_of(px: vec2f) -> vec3f {
     return vec3f(offset.x, -offset.y, -1.0);
 }
 
+// The same in the world.
+fn world_ray(px: vec2f) -> vec3f {
+    return (view.world_from_view * vec4f(ray_of(px), 0.0)).xyz;
+}
+
 // Pixels to clip space at a given depth.
 fn clip_of(px: vec2f, depth: f32) -> vec4f {
     let ndc = px / view.size_px * 2.0 - 1.0;
     return vec4f(ndc.x, -ndc.y, depth, 1.0);
+}
+
+// A place in the world to clip space.
+fn clip_from_world(position: vec3f) -> vec4f {
+    let p = (view.view_from_world * vec4f(position, 1.0)).xyz;
+    return vec4f(2.0 * view.focal_px / view.size_px * p.xy, view.near, -p.z);
 }

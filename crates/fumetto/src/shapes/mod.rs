@@ -1,3 +1,4 @@
 //! What fills the layers.
 
+pub(crate) mod mesh;
 pub(crate) mod puffs;

@@ -13,20 +13,25 @@ pub(crate) const CEL_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Uno
 /// The long-lived pipeline.
 #[derive(Debug)]
 pub(crate) struct Flat {
-    pipeline: wgpu::RenderPipeline,
+    /// For cels of puffs alone, and for those that may show triangles.
+    pipelines: [wgpu::RenderPipeline; 2],
     linear: wgpu::Sampler,
 }
 
 impl Flat {
     pub(crate) fn new(gpu: &Gpu) -> Self {
         let module = gpu.device.create_shader_module(shader!("tone/flat"));
-        let pipeline = RasterPipeline {
-            label: "tone.flat",
-            targets: &[CEL_FORMAT],
-            depth: Some(layers::where_filled()),
-            ..Default::default()
-        };
-        Self { pipeline: pipeline.build(&gpu.device, &module), linear: linear_sampler(gpu) }
+        let pipelines = [0.0, 1.0].map(|has_meshes| {
+            let pipeline = RasterPipeline {
+                label: "tone.flat",
+                targets: &[CEL_FORMAT],
+                depth: Some(layers::where_filled()),
+                constants: &[("HAS_MESHES", has_meshes)],
+                ..Default::default()
+            };
+            pipeline.build(&gpu.device, &module)
+        });
+        Self { pipelines, linear: linear_sampler(gpu) }
     }
 
     /// Paints what the layers show; `step` pixels make a texel of the normal layer.
@@ -41,9 +46,10 @@ impl Flat {
     ) -> Transient {
         let cel = frame.texture("tone.cel", layers.size, CEL_FORMAT);
         let sampling = frame.uniform("tone.flat.sampling", &[step, 0, 0, 0]);
+        let meshes = subject.meshes;
         frame.fullscreen(
             "tone.flat",
-            &self.pipeline,
+            &self.pipelines[usize::from(meshes.vertex_count > 0)],
             Target::colour(&cel, Some(wgpu::Color::TRANSPARENT)).with_depth_test(&layers.depth),
             &[
                 subject.view.as_entire_binding(),
@@ -57,6 +63,12 @@ impl Flat {
                 wgpu::BindingResource::TextureView(shadow),
                 wgpu::BindingResource::TextureView(&ramps.view),
                 wgpu::BindingResource::Sampler(&self.linear),
+                meshes.sources.as_entire_binding(),
+                meshes.vertices.as_entire_binding(),
+                meshes.triangles.as_entire_binding(),
+                meshes.parts.as_entire_binding(),
+                wgpu::BindingResource::TextureView(&meshes.textures),
+                wgpu::BindingResource::Sampler(&meshes.sampler),
             ],
         );
         cel

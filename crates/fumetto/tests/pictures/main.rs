@@ -7,6 +7,8 @@ mod colours;
 mod errors;
 mod ink;
 mod light;
+mod meshes;
+mod models;
 mod occlusion;
 mod shadows;
 mod stage;

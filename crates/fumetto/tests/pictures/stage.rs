@@ -98,6 +98,13 @@ impl Stage {
         self
     }
 
+    /// Adds the model of the file `model`; `more` are further keys.
+    pub(crate) fn mesh(mut self, name: &str, model: &str, more: &str) -> Self {
+        write!(self.objects, "[[object]]\nname = \"{name}\"\nkind = \"mesh\"\nmodel = \"{model}\"\n{more}\n")
+            .unwrap();
+        self
+    }
+
     pub(crate) fn scene(&self) -> Scene {
         let Self { camera, light, background, output, time, style, objects } = self;
         let toml = format!(
@@ -111,8 +118,13 @@ impl Stage {
 
     /// The picture of frame 0.
     pub(crate) fn picture(&self) -> Picture {
+        self.picture_with(Files::default())
+    }
+
+    /// The picture of frame 0, of a scene that names files.
+    pub(crate) fn picture_with(&self, files: Files) -> Picture {
         let mut engine = engine();
-        let mut player = self.play(&engine, Files::default()).unwrap();
+        let mut player = self.play(&engine, files).unwrap();
         picture_at(&mut engine, &mut player, 0).unwrap()
     }
 

@@ -3,16 +3,12 @@
 use fumetto_scene::{Matter, Object, Ramp, Scene, Shading, Style};
 use serde_json::{Value, json};
 
-use super::{background, bytes, duration_secs, hex, light_kind, sum};
+use super::{Load, background, bytes, duration_secs, hex, light_kind, sum};
 
-/// What is in the scene `name`, and how many `particles` each object holds.
-pub(super) fn of(name: &str, scene: &Scene, particles: &[u64]) -> Value {
-    let objects: Vec<Value> = scene
-        .objects
-        .iter()
-        .zip(particles)
-        .map(|(object, &particles)| object_json(object, particles))
-        .collect();
+/// What is in the scene `name`, and what its objects hold.
+pub(super) fn of(name: &str, scene: &Scene, loads: &[Load]) -> Value {
+    let objects: Vec<Value> =
+        scene.objects.iter().zip(loads).map(|(object, load)| object_json(object, load)).collect();
     let lights: Vec<Value> = scene
         .lights
         .iter()
@@ -31,15 +27,17 @@ pub(super) fn of(name: &str, scene: &Scene, particles: &[u64]) -> Value {
         "lights": lights,
         "background": background(scene),
         "objects": objects,
-        "particles": sum(particles),
-        "bytes": bytes(sum(particles)),
+        "particles": sum(loads).particles,
+        "triangles": sum(loads).triangles,
+        "bytes": bytes(sum(loads).particles),
     })
 }
 
-fn object_json(object: &Object, particles: u64) -> Value {
+fn object_json(object: &Object, load: &Load) -> Value {
     let (kind, emitters, forces, file) = match &object.matter {
         Matter::Still(_) => ("cloud", 0, 0, None),
         Matter::File(path) => ("cloud", 0, 0, Some(path)),
+        Matter::Mesh(mesh) => ("mesh", 0, 0, Some(&mesh.model)),
         Matter::Smoke(smoke) => ("smoke", smoke.emitters.len(), smoke.forces.len(), None),
     };
     json!({
@@ -49,8 +47,9 @@ fn object_json(object: &Object, particles: u64) -> Value {
         "emitters": emitters,
         "forces": forces,
         "file": file,
-        "particles": particles,
-        "bytes": bytes(particles),
+        "particles": load.particles,
+        "triangles": load.triangles,
+        "bytes": bytes(load.particles),
         "style": style_json(&object.style),
     })
 }

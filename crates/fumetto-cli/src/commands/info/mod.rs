@@ -7,7 +7,7 @@ use std::process::ExitCode;
 
 use anyhow::Context as _;
 use fumetto::Assets as _;
-use fumetto_formats::{read_particles, sequence_path};
+use fumetto_formats::{ModelOptions, read_model, read_particles, sequence_path};
 use fumetto_scene::limits::PARTICLE_BYTES;
 use fumetto_scene::{Background, Light, LightKind, Matter, Scene};
 
@@ -19,29 +19,45 @@ use crate::scene;
 pub(crate) fn run(args: &InfoArgs) -> anyhow::Result<ExitCode> {
     let opened = scene::open(&args.scene)?;
     let name = args.scene.scene.display().to_string();
-    let particles = particles(&opened.scene, &opened.folder).with_context(|| name.clone())?;
+    let loads = loads(&opened.scene, &opened.folder).with_context(|| name.clone())?;
     let text = if args.json {
-        json::of(&name, &opened.scene, &particles).to_string()
+        json::of(&name, &opened.scene, &loads).to_string()
     } else {
-        text::of(&name, &opened.scene, &particles)
+        text::of(&name, &opened.scene, &loads)
     };
     console::print(&text)?;
     Ok(ExitCode::SUCCESS)
 }
 
-/// Most particles of each object at once; of a sequence of files those of the first.
-fn particles(scene: &Scene, folder: &SceneFolder) -> anyhow::Result<Vec<u64>> {
-    let costs = scene.requirements();
-    let counts =
-        scene.objects.iter().zip(costs).map(|(object, cost)| match (&object.matter, cost.particles) {
-            (Matter::File(path), _) => {
-                let path = sequence_path(path, scene.time.frames[0]);
-                let bytes = folder.read(&path).with_context(|| format!("cannot read `{path}`"))?;
-                Ok(read_particles(&path, &bytes)?.particles.len() as u64)
-            }
-            (_, known) => Ok(known.unwrap_or_default()),
-        });
-    counts.collect()
+/// How much one object holds.
+#[derive(Clone, Copy, Default)]
+struct Load {
+    /// Most of them at once; of a sequence of files those of the first.
+    particles: u64,
+    /// Copies counted singly.
+    triangles: u64,
+}
+
+/// What each object holds.
+fn loads(scene: &Scene, folder: &SceneFolder) -> anyhow::Result<Vec<Load>> {
+    let read = |path: &str| folder.read(path).with_context(|| format!("cannot read `{path}`"));
+    let loads = scene.objects.iter().zip(scene.requirements()).map(|(object, cost)| match &object.matter {
+        Matter::File(path) => {
+            let path = sequence_path(path, scene.time.frames[0]);
+            let particles = read_particles(&path, &read(&path)?)?.particles.len() as u64;
+            Ok(Load { particles, triangles: 0 })
+        }
+        Matter::Mesh(mesh) => {
+            let options = ModelOptions { smooth_degrees: mesh.smooth_deg };
+            let bytes = read(&mesh.model)?;
+            let model = read_model(&mesh.model, &bytes, options, &mut |beside| folder.read(beside))?;
+            Ok(Load { particles: 0, triangles: model.triangle_count() * mesh.copies.len() as u64 })
+        }
+        Matter::Still(_) | Matter::Smoke(_) => {
+            Ok(Load { particles: cost.particles.unwrap_or_default(), triangles: 0 })
+        }
+    });
+    loads.collect()
 }
 
 fn bytes(particles: u64) -> u64 {
@@ -53,9 +69,12 @@ fn duration_secs(scene: &Scene) -> f64 {
     (f64::from(last - first) + 1.0) / f64::from(scene.time.fps)
 }
 
-/// Most particles of all objects together.
-fn sum(particles: &[u64]) -> u64 {
-    particles.iter().copied().fold(0, u64::saturating_add)
+/// All objects together.
+fn sum(loads: &[Load]) -> Load {
+    loads.iter().fold(Load::default(), |sum, load| Load {
+        particles: sum.particles.saturating_add(load.particles),
+        triangles: sum.triangles.saturating_add(load.triangles),
+    })
 }
 
 fn light_kind(light: &Light) -> &'static str {

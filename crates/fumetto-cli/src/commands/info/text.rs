@@ -4,10 +4,10 @@ use fumetto_formats::is_sequence;
 use fumetto_scene::{Light, Matter, Object, Ramp, Scene, Style, Width};
 use indicatif::{BinaryBytes, HumanCount};
 
-use super::{background, bytes, duration_secs, hex, light_kind, sum};
+use super::{Load, background, bytes, duration_secs, hex, light_kind, sum};
 
-/// What is in the scene `name`, and how many `particles` each object holds.
-pub(super) fn of(name: &str, scene: &Scene, particles: &[u64]) -> String {
+/// What is in the scene `name`, and what its objects hold.
+pub(super) fn of(name: &str, scene: &Scene, loads: &[Load]) -> String {
     let ([width, height], samples) = (scene.output.size, scene.output.antialias);
     let ([first, last], time) = (scene.time.frames, &scene.time);
     let cameras: Vec<&str> = scene.cameras.iter().map(|camera| camera.name.as_str()).collect();
@@ -22,18 +22,25 @@ pub(super) fn of(name: &str, scene: &Scene, particles: &[u64]) -> String {
         format!("  lights      {lights}"),
         format!("  background  {}", background(scene)),
     ];
-    for (object, &particles) in scene.objects.iter().zip(particles) {
+    for (object, &load) in scene.objects.iter().zip(loads) {
         lines.push(format!(
             "  `{}`: {}{}",
             object.name,
             matter(object),
             if object.visible { "" } else { ", hidden" }
         ));
-        lines.push(format!("    particles {}", cost(particles)));
+        lines.push(load_words(&load));
         lines.push(format!("    style     {}", style_words(&object.style)));
     }
-    lines.push(format!("  in all      {}", cost(sum(particles))));
+    lines.push(format!("  in all      {}", cost(sum(loads).particles)));
     lines.join("\n")
+}
+
+fn load_words(load: &Load) -> String {
+    match load {
+        Load { triangles: 0, particles } => format!("    particles {}", cost(*particles)),
+        Load { triangles, .. } => format!("    triangles {}", HumanCount(*triangles)),
+    }
 }
 
 fn cost(particles: u64) -> String {
@@ -58,6 +65,8 @@ fn matter(object: &Object) -> String {
         Matter::Still(_) => "particles in the scene file".to_owned(),
         Matter::File(path) if is_sequence(path) => format!("particles in {path}, by frame"),
         Matter::File(path) => format!("particles in {path}"),
+        Matter::Mesh(mesh) if mesh.copies.len() == 1 => format!("the model {}", mesh.model),
+        Matter::Mesh(mesh) => format!("{} copies of the model {}", mesh.copies.len(), mesh.model),
         Matter::Smoke(smoke) => {
             let counted =
                 |number: usize, what: &str| format!("{number} {what}{}", if number == 1 { "" } else { "s" });

@@ -1,7 +1,7 @@
 use std::ops::Range;
 
 use super::{atlas::Atlas, form::FormField, present::Puff};
-use crate::gpu::Gpu;
+use crate::{gpu::Gpu, shapes::mesh::MeshScene};
 
 /// All puffs of a scene, and what they are drawn with.
 #[derive(Debug)]
@@ -16,10 +16,11 @@ pub(crate) struct PuffScene {
     pub(crate) objects: Vec<PuffObject>,
 }
 
-/// What a cel is drawn of: puffs, from where, and in which light.
+/// What a cel is drawn of, from where, and in which light.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Subject<'a> {
     pub(crate) scene: &'a PuffScene,
+    pub(crate) meshes: &'a MeshScene,
     /// `View` of `view.wgsl`.
     pub(crate) view: &'a wgpu::Buffer,
     /// `Lights` of `lights.wgsl`.

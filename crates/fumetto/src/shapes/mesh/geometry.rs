@@ -1,0 +1,171 @@
+//! Models as the engine keeps them: one list of triangles for a whole scene.
+
+use std::ops::Range;
+
+use bytemuck::{Pod, Zeroable};
+use fumetto_formats::{Image, Material, Model, Placed, Wrap};
+use fumetto_scene::{Mesh, Transform};
+use glam::{EulerRot, Mat4, Quat, Vec3};
+use half::f16;
+
+/// `Source` of `mesh.wgsl`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub(crate) struct Source {
+    pub(crate) position: [f32; 3],
+    pub(crate) normal: u32,
+    pub(crate) uv: [f32; 2],
+    pub(crate) colour: [u32; 2],
+    pub(crate) part: u32,
+    pub(crate) pad: [u32; 3],
+}
+
+/// `Triangle` of `mesh.wgsl`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Pod, Zeroable)]
+pub(crate) struct Triangle {
+    pub(crate) corners: [u32; 3],
+    pub(crate) part: u32,
+}
+
+/// `Part` of `mesh.wgsl`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub(crate) struct Part {
+    pub(crate) world_from_part: Mat4,
+    colour: [f32; 4],
+    pub(crate) object: u32,
+    pub(crate) material: u32,
+    texture: i32,
+    wrap: u32,
+}
+
+/// All models of a scene, copies counted singly.
+#[derive(Debug, Default)]
+pub(crate) struct Geometry {
+    pub(crate) sources: Vec<Source>,
+    pub(crate) triangles: Vec<Triangle>,
+    pub(crate) parts: Vec<Part>,
+    pub(crate) textures: Vec<Image>,
+    /// Each object's triangles, by its number.
+    pub(crate) objects: Vec<Range<u32>>,
+    materials: u32,
+}
+
+impl Geometry {
+    /// Adds an object that has no triangles, or whose triangles come from elsewhere.
+    pub(crate) fn add_nothing(&mut self) {
+        let end = self.triangles.len() as u32;
+        self.objects.push(end..end);
+    }
+
+    /// Adds the next object: the copies of `mesh`, which `model` holds. Answers with its parts.
+    pub(crate) fn add(&mut self, mesh: &Mesh, model: &Model) -> Range<usize> {
+        let object = self.objects.len() as u32;
+        let (first_triangle, first_part) = (self.triangles.len() as u32, self.parts.len());
+        for (placed, world_from_part) in placements(mesh, model, 0.0) {
+            self.add_part(model, &placed, world_from_part, object);
+        }
+        self.textures.extend(model.textures.iter().cloned());
+        self.materials += model.materials.len() as u32;
+        self.objects.push(first_triangle..self.triangles.len() as u32);
+        first_part..self.parts.len()
+    }
+
+    fn add_part(&mut self, model: &Model, placed: &Placed, world_from_part: Mat4, object: u32) {
+        let part = &model.parts[placed.part];
+        let number = self.parts.len() as u32;
+        let first = self.sources.len() as u32;
+        let material = &model.materials[part.material];
+        self.parts.push(Part {
+            world_from_part,
+            colour: material.colour,
+            object,
+            material: self.materials + part.material as u32,
+            texture: material.texture.map_or(-1, |texture| (self.textures.len() + texture.image) as i32),
+            wrap: wrap_bits(material),
+        });
+        self.sources.extend((0..part.positions.len()).map(|i| Source {
+            position: part.positions[i],
+            normal: octahedral(part.normals[i].into()),
+            uv: part.uvs.get(i).copied().unwrap_or_default(),
+            colour: halves(part.colours.get(i).copied().unwrap_or([1.0; 4])),
+            part: number,
+            pad: [0; 3],
+        }));
+        // A mirror turns triangles inside out.
+        let mirrored = world_from_part.determinant() < 0.0;
+        self.triangles.extend(part.triangles.iter().map(|&[a, b, c]| {
+            let corners = if mirrored { [a, c, b] } else { [a, b, c] };
+            Triangle { corners: corners.map(|corner| first + corner), part: number }
+        }));
+    }
+
+    /// Moves an object's `parts` to where they are at `time_secs`.
+    pub(crate) fn animate(&mut self, parts: Range<usize>, mesh: &Mesh, model: &Model, time_secs: f32) {
+        let placements = placements(mesh, model, time_secs);
+        for (part, (_, world_from_part)) in self.parts[parts].iter_mut().zip(placements) {
+            part.world_from_part = world_from_part;
+        }
+    }
+}
+
+/// Every part of every copy, and where it stands.
+fn placements<'a>(
+    mesh: &'a Mesh,
+    model: &Model,
+    time_secs: f32,
+) -> impl Iterator<Item = (Placed, Mat4)> + use<'a> {
+    let placed = model.placed(time_secs);
+    let up = if mesh.z_up { Mat4::from_rotation_x(-std::f32::consts::FRAC_PI_2) } else { Mat4::IDENTITY };
+    mesh.copies.iter().flat_map(move |copy| {
+        let world_from_model = matrix(copy) * up;
+        let place = |placed: &Placed| {
+            let world_from_part = world_from_model * Mat4::from_cols_array_2d(&placed.world_from_part);
+            (placed.clone(), world_from_part)
+        };
+        placed.iter().map(place).collect::<Vec<_>>()
+    })
+}
+
+fn matrix(transform: &Transform) -> Mat4 {
+    let [x, y, z] = transform.rotation_deg.map(f32::to_radians);
+    // About the x axis first, so it stands on the right.
+    let rotation = Quat::from_euler(EulerRot::ZYX, z, y, x);
+    Mat4::from_scale_rotation_translation(transform.scale.into(), rotation, transform.position.into())
+}
+
+/// As `octahedral_packed` of `octahedral.wgsl`.
+pub(crate) fn octahedral(normal: Vec3) -> u32 {
+    let [x, y, z] = (normal / normal.abs().element_sum().max(1e-20)).to_array();
+    let fold = |a: f32, b: f32| (1.0 - b.abs()) * if a >= 0.0 { 1.0 } else { -1.0 };
+    let folded = if z < 0.0 { [fold(x, y), fold(y, x)] } else { [x, y] };
+    let [u, v] = folded.map(|share| u32::from((share * 32767.0).round() as i16 as u16));
+    u | (v << 16)
+}
+
+fn halves(colour: [f32; 4]) -> [u32; 2] {
+    let [r, g, b, a] = colour.map(|channel| u32::from(f16::from_f32(channel).to_bits()));
+    [r | (g << 16), b | (a << 16)]
+}
+
+fn wrap_bits(material: &Material) -> u32 {
+    let bits = |wrap| match wrap {
+        Wrap::Repeat => 0,
+        Wrap::Mirror => 1,
+        Wrap::Clamp => 2,
+    };
+    material.texture.map_or(0, |texture| bits(texture.wrap[0]) | (bits(texture.wrap[1]) << 2))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gpu::layout_test;
+
+    layout_test!(sources_lie_as_their_twin: Source, "Source" of "shapes/mesh/place" { position, normal, uv, colour, part });
+
+    layout_test!(parts_lie_as_their_twin: Part, "Part" of "shapes/mesh/place" { world_from_part, colour, object, material, texture, wrap });
+
+    layout_test!(triangles_lie_as_their_twin: Triangle, "Triangle" of "shapes/mesh/body" { corners, part });
+}

@@ -1,0 +1,43 @@
+// Triangles of models.
+
+// A vertex as the model's file has it.
+struct Source {
+    position: vec3f,
+    normal: u32,
+    uv: vec2f,
+    // Linear, as four halves.
+    colour: vec2u,
+    part: u32,
+}
+
+// A vertex as it lies in the world at the moment that is drawn.
+struct Vertex {
+    position: vec3f,
+    // Octahedral, as two snorm16.
+    normal: u32,
+}
+
+struct Triangle {
+    // Numbers of its vertices, counter-clockwise seen from outside.
+    corners: vec3u,
+    // Number of the part that it belongs to.
+    part: u32,
+}
+
+// What moves together and is of one material.
+struct Part {
+    world_from_part: mat4x4f,
+    // Linear; times the vertex's own.
+    colour: vec4f,
+    object: u32,
+    // Materials of one model have numbers of their own, which start after those of the models before it.
+    material: u32,
+    // Layer of the texture array, or -1.
+    texture: i32,
+    // How the texture goes on beyond its sides, along u in bits 0..2 and along v in bits 2..4: 0 repeats,
+    // 1 mirrors, 2 stretches its edge.
+    wrap: u32,
+}
+
+// Numbers in the id layer with this bit are of triangles.
+const TRIANGLE_BIT: u32 = 0x80000000u;

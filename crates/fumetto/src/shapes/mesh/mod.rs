@@ -1,0 +1,12 @@
+//! Models: triangles from files, drawn into the layers that smoke fills too.
+
+mod body;
+mod geometry;
+mod place;
+mod scene;
+mod textures;
+
+pub(crate) use body::Body;
+pub(crate) use geometry::Geometry;
+pub(crate) use place::Place;
+pub(crate) use scene::{MeshError, MeshScene};

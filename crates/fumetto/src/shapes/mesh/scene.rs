@@ -1,0 +1,83 @@
+use std::ops::Range;
+
+use super::{
+    geometry::{Geometry, Part, Source, Triangle},
+    textures::textures,
+};
+use crate::gpu::Gpu;
+
+/// Bytes of a `Vertex` of `mesh.wgsl`.
+const VERTEX_BYTES: u64 = 16;
+
+/// All models of a scene on the device.
+#[derive(Debug)]
+pub(crate) struct MeshScene {
+    /// `Source`s of `mesh.wgsl`.
+    pub(crate) sources: wgpu::Buffer,
+    /// `Vertex`s of `mesh.wgsl`, one for each source.
+    pub(crate) vertices: wgpu::Buffer,
+    pub(crate) vertex_count: u32,
+    /// `Triangle`s of `mesh.wgsl`.
+    pub(crate) triangles: wgpu::Buffer,
+    /// `Part`s of `mesh.wgsl`.
+    pub(crate) parts: wgpu::Buffer,
+    /// Array of the parts' textures.
+    pub(crate) textures: wgpu::TextureView,
+    pub(crate) sampler: wgpu::Sampler,
+    /// Each object's triangles, by its number.
+    pub(crate) objects: Vec<Range<u32>>,
+}
+
+/// A model is too large for the device.
+#[derive(Debug, thiserror::Error)]
+#[error(
+    "the models have {what} for {asked} bytes; this device allows {allowed} in one piece. Simplify them or \
+     leave copies out"
+)]
+pub struct MeshError {
+    what: &'static str,
+    asked: u64,
+    allowed: u64,
+}
+
+impl MeshScene {
+    pub(crate) fn new(gpu: &Gpu, geometry: &Geometry) -> Result<Self, MeshError> {
+        let room = |what, items: usize, bytes: usize| {
+            let asked = items.max(1) as u64 * bytes as u64;
+            let allowed = gpu.device.limits().max_storage_buffer_binding_size;
+            if asked > allowed { Err(MeshError { what, asked, allowed }) } else { Ok(asked) }
+        };
+        let Geometry { sources, triangles, parts, .. } = geometry;
+        let source_bytes = room("vertices", sources.len(), size_of::<Source>())?;
+        let triangle_bytes = room("triangles", triangles.len(), size_of::<Triangle>())?;
+        let part_bytes = room("parts", parts.len(), size_of::<Part>())?;
+        let buffer = |label, size| {
+            gpu.device.create_buffer(&wgpu::BufferDescriptor {
+                label: Some(label),
+                size,
+                usage: wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST,
+                mapped_at_creation: false,
+            })
+        };
+        let (textures, sampler) = textures(gpu, &geometry.textures);
+        let scene = Self {
+            sources: buffer("shapes.mesh.sources", source_bytes),
+            vertices: buffer("shapes.mesh.vertices", sources.len().max(1) as u64 * VERTEX_BYTES),
+            vertex_count: sources.len() as u32,
+            triangles: buffer("shapes.mesh.triangles", triangle_bytes),
+            parts: buffer("shapes.mesh.parts", part_bytes),
+            textures,
+            sampler,
+            objects: geometry.objects.clone(),
+        };
+        gpu.queue.write_buffer(&scene.sources, 0, bytemuck::cast_slice(sources));
+        gpu.queue.write_buffer(&scene.triangles, 0, bytemuck::cast_slice(triangles));
+        scene.upload_parts(gpu, parts);
+        Ok(scene)
+    }
+
+    /// Tells the device where the parts now are.
+    pub(crate) fn upload_parts(&self, gpu: &Gpu, parts: &[Part]) {
+        gpu.queue.write_buffer(&self.parts, 0, bytemuck::cast_slice(parts));
+    }
+}
