@@ -68,6 +68,63 @@ pub enum FormatError {
         /// The file's name as it was given.
         file: String,
     },
+    /// The name's extension belongs to no format that models are read from.
+    #[error("{file}: models are read from `.gltf`, `.glb` and `.obj` files; convert this one to one of them")]
+    UnknownModel {
+        /// The file's name as it was given.
+        file: String,
+    },
+    /// A part of a file that is not as its format asks.
+    #[error("{file}: {element}: {problem}")]
+    Element {
+        /// The file's name as it was given.
+        file: String,
+        /// The part, such as `mesh 2 "roof", primitive 0`.
+        element: String,
+        /// What is wrong and what to do about it.
+        problem: String,
+    },
+    /// A file that this one needs and that cannot be had.
+    #[error("{file}: {element}: `{path}` cannot be read ({error}); put it where the model looks for it")]
+    Companion {
+        /// The file's name as it was given.
+        file: String,
+        /// What needs it, such as `buffer 0`.
+        element: String,
+        /// The file that is asked for, seen from where `file` is seen.
+        path: String,
+        /// Why it cannot be read.
+        error: std::io::Error,
+    },
+    /// Extensions without which a model cannot be understood.
+    #[error(
+        "{file}: it cannot be read without {names}, which Fumetto does not know; export it again without \
+         compression and without extensions"
+    )]
+    RequiredExtensions {
+        /// The file's name as it was given.
+        file: String,
+        /// The extensions, quoted, as a list.
+        names: String,
+    },
+    /// More triangles than a model may have.
+    #[error(
+        "{file}: {asked} triangles are more than the {allowed} that are allowed; simplify the model or split it"
+    )]
+    TooManyTriangles {
+        /// The file's name as it was given.
+        file: String,
+        /// How many the file shows, or says that it shows, where it is known.
+        asked: u64,
+        /// [`MAX_MODEL_TRIANGLES`](crate::MAX_MODEL_TRIANGLES).
+        allowed: u64,
+    },
+    /// A model in which there is nothing to see.
+    #[error("{file}: there is no triangle in it; export it again with at least one mesh in its scene")]
+    NoTriangles {
+        /// The file's name as it was given.
+        file: String,
+    },
     /// A picture wider or higher than can be drawn with.
     #[error(
         "{file}: {width} × {height} pixels are more than the {allowed} × {allowed} that are allowed; \

@@ -1,11 +1,13 @@
 //! Other people's files to plain data, and back.
 //!
 //! Bytes in, bytes out: this crate opens no file and knows no GPU. Whoever calls it hands over the
-//! bytes together with the name that messages shall show.
+//! bytes together with the name that messages shall show; where a file needs others, as a model needs
+//! its textures, they are asked for by path.
 //!
 //! | in | out |
 //! |---|---|
 //! | particles: [`read_particles`] (PLY, CSV) | |
+//! | models: [`read_model`] (glTF, OBJ) | |
 //! | pictures: [`read_png`] | pictures: [`write_png`] |
 //! | | animations: [`GifWriter`] |
 //!
@@ -16,6 +18,8 @@ mod error;
 mod excerpt;
 mod gif;
 mod image;
+mod jpeg;
+mod model;
 mod particles;
 mod png;
 mod sequence;
@@ -23,6 +27,10 @@ mod sequence;
 pub use error::{FormatError, Position, WriteError};
 pub use gif::{GifWriter, MAX_GIF_FPS, MIN_GIF_FPS};
 pub use image::Image;
+pub use model::{
+    DEFAULT_SMOOTH_DEGREES, MAX_MODEL_TRIANGLES, Material, Model, ModelOptions, Part, Placed, Texture, Wrap,
+    read_model,
+};
 pub use particles::{DEFAULT_MASS, DEFAULT_RADIUS, MAX_PARTICLES, ParticleTable, read_particles};
 pub use png::{MAX_IMAGE_SIDE, read_png, write_png};
 pub use sequence::{is_sequence, sequence_path};
