@@ -13,7 +13,7 @@ import random
 import numpy as np
 
 from glb import Glb
-from solids import ball, box, circle, extrude, lathe, loft, move, smooth_union, surface, tube, warp
+from solids import ball, box, circle, extrude, lathe, loft, move, smooth_union, surface, surround, tube, warp
 
 GROUND_RADIUS = 6.8
 # The walls: half their width and depth at the foot and under the eaves.
@@ -40,7 +40,7 @@ POPLAR = [
     (0.05, 1.45, 0.45, 0.34), (-0.2, 2.75, 0.1, 0.27),
 ]
 BUSH = [
-    (2.8, 0.0, 1.4, 0.4), (3.2, -0.05, 0.9, 0.5), (3.1, -0.1, 1.75, 0.3), (2.85, 0.25, 1.0, 0.36),
+    (2.8, 0.0, 1.4, 0.4), (3.2, -0.05, 0.9, 0.5), (3.1, -0.1, 1.75, 0.3), (2.88, 0.27, 1.02, 0.36),
     (3.35, 0.28, 0.75, 0.27), (3.5, -0.2, 1.3, 0.28),
 ]
 
@@ -174,12 +174,6 @@ def arch(half, foot, spring, steps=8):
     """A doorway's outline: anticlockwise from its foot on the right."""
     turn = np.linspace(0.0, np.pi, steps + 1)
     return [(half, foot)] + [(half * np.cos(a), spring + half * np.sin(a)) for a in turn] + [(-half, foot)]
-
-
-def surround(outer, inner, back, front):
-    """The frame between two outlines of as many points."""
-    rings = [[(*p, back), (*p, front), (*q, front), (*q, back)] for p, q in zip(outer, inner)]
-    return loft(rings, closed=True)
 
 
 def facing(meshes, x, z, lean, turn=0.0):
@@ -351,7 +345,7 @@ def crown(lobes, cell):
     """Lobes grown together, with soft valleys between them."""
     lobes = np.array(lobes, float)
     def field(points):
-        return smooth_union([np.linalg.norm((points - lobe[:3]) / (1.0, 0.92, 1.0), axis=1) - lobe[3] for lobe in lobes], 0.12)
+        return smooth_union([np.linalg.norm((points - lobe[:3]) / (1.0, 0.92, 1.0), axis=1) - lobe[3] for lobe in lobes], 0.2)
     reach = lobes[:, 3:] + 0.2
     return surface(field, (lobes[:, :3] - reach).min(axis=0), (lobes[:, :3] + reach).max(axis=0), cell)
 

@@ -10,10 +10,15 @@ Run it from the repository's root: `python3 tools/scenes/shading.py`; it needs N
 import numpy as np
 
 from glb import Glb, unit
-from solids import ball, gradient, lathe, smooth_union, surface, tube, warp
+from solids import ball, gradient, lathe, smooth_union, surface, tube, turned
 
-CELL = 0.042
+CELL = 0.043
 EYE_AT, EYE_RADIUS = np.array([0.235, 1.66, 0.415]), 0.15
+
+
+def smoothstep(low, high, value):
+    t = np.clip((value - low) / (high - low), 0.0, 1.0)
+    return t * t * (3.0 - 2.0 * t)
 
 
 def ellipsoid(points, centre, radii):
@@ -31,8 +36,8 @@ def capsule(points, start, end, radius_start, radius_end):
 
 
 TAIL = [
-    ((0.0, 0.3, -0.42), 0.34), ((0.22, 0.2, -0.78), 0.26), ((0.62, 0.15, -0.92), 0.2), ((1.0, 0.14, -0.7), 0.16),
-    ((1.16, 0.14, -0.28), 0.125), ((1.05, 0.15, 0.12), 0.1), ((0.82, 0.2, 0.36), 0.08), ((0.72, 0.33, 0.46), 0.06),
+    ((0.0, 0.3, -0.42), 0.34), ((0.25, 0.2, -0.74), 0.26), ((0.68, 0.16, -0.82), 0.2), ((1.06, 0.15, -0.58), 0.165),
+    ((1.27, 0.2, -0.22), 0.135), ((1.38, 0.38, 0.02), 0.11), ((1.4, 0.62, 0.1), 0.088), ((1.3, 0.84, 0.1), 0.066),
 ]
 SPIKES = [
     # Along the middle, from the brow over the back: foot, height and length, leaning back.
@@ -41,10 +46,13 @@ SPIKES = [
 ]
 
 
+def folded(points):
+    return np.abs(points) * (1.0, 0.0, 0.0) + points * (0.0, 1.0, 1.0)
+
+
 def body(points):
     """Both halves at once: x is folded over, save for the tail."""
-    p = points * (1.0, 1.0, 1.0)
-    p[:, 0] = np.abs(p[:, 0])
+    p = folded(points)
     trunk = smooth_union([
         ellipsoid(p, (0.0, 0.6, -0.02), (0.58, 0.62, 0.54)),
         ellipsoid(p, (0.0, 0.52, 0.16), (0.47, 0.47, 0.44)),
@@ -66,21 +74,21 @@ def body(points):
     ], 0.1)
     # Sockets for the eyes, a smile, nostrils.
     head = -smooth_union([-head, ellipsoid(p, EYE_AT + (0.0, 0.0, 0.035), (0.165, 0.165, 0.15))], 0.04)
-    smile_y = 1.395 + 0.25 * p[:, 0] ** 2 + 0.55 * np.clip(p[:, 0] - 0.2, 0.0, 1.0) ** 2
-    smile = np.maximum(np.abs(p[:, 1] - smile_y) - 0.014, np.maximum(0.22 - p[:, 2], -(head + 0.05)))
-    head = -smooth_union([-head, smile], 0.03)
-    nostril = ellipsoid(p, (0.15, 1.585, 0.745), (0.034, 0.028, 0.05))
+    smile_y = 1.385 + 0.25 * p[:, 0] ** 2 + 0.55 * np.clip(p[:, 0] - 0.2, 0.0, 1.0) ** 2
+    lips = np.exp(-(((p[:, 1] - smile_y) / 0.034) ** 2)) * smoothstep(0.1, 0.22, p[:, 2]) * smoothstep(0.1, 0.02, np.abs(head))
+    head = head + 0.062 * lips
+    nostril = ellipsoid(p, (0.15, 1.585, 0.745), (0.046, 0.036, 0.06))
     head = -smooth_union([-head, nostril], 0.02)
     ears = ear(p)
     tail = smooth_union([
         capsule(points, a, b, ra, rb) for (a, ra), (b, rb) in zip(TAIL, TAIL[1:])
-    ], 0.05)
+    ], 0.1)
     whole = smooth_union([trunk, *toes], 0.05)
     whole = smooth_union([whole, *arms], 0.06)
     whole = smooth_union([whole, tail], 0.12)
     whole = smooth_union([whole, head], 0.07)
     whole = smooth_union([whole, ears, wing(p)], 0.05)
-    spikes = [capsule(p, (0.0, y, z), (0.0, y + 1.1 * tall * (0.9 if y > 1.5 else 0.55), z - tall * (0.5 if y > 1.8 else 1.0)), 0.085, 0.018)
+    spikes = [capsule(p, (0.0, y, z), (0.0, y + 1.1 * tall * (0.9 if y > 1.5 else 0.55), z - tall * (0.5 if y > 1.8 else 1.0)), 0.09, 0.042)
               for (y, z), tall in SPIKES]
     return smooth_union([whole, *spikes], 0.05)
 
@@ -88,7 +96,7 @@ def body(points):
 def fan(p, root, tips, thick, web):
     """Ribs from a root, with skin between them that hangs in: ears and wings."""
     root, tips = np.asarray(root, float), np.asarray(tips, float)
-    distances = [capsule(p, root, tip, thick, 0.6 * thick) for tip in tips]
+    distances = [capsule(p, root, tip, thick, 0.75 * thick) for tip in tips]
     normal = np.cross(tips[0] - root, tips[-1] - root)
     normal /= np.linalg.norm(normal)
     for a, b in zip(tips, tips[1:]):
@@ -99,18 +107,19 @@ def fan(p, root, tips, thick, web):
             inward = np.cross(normal, tip - root)
             inward *= np.sign(inward @ (other - root)) / np.linalg.norm(inward)
             sides.append(-((p - root) @ inward))
-        middle = 0.5 * (a + b)
-        bay = 0.62 * np.linalg.norm(a - b) - np.linalg.norm(p - (middle + 0.32 * (middle - root) / np.linalg.norm(middle - root) * np.linalg.norm(a - b)), axis=1)
-        distances.append(np.maximum.reduce([flat, *sides, bay, np.linalg.norm(p - root, axis=1) - 1.2]))
+        gap, middle = np.linalg.norm(a - b), 0.5 * (a + b)
+        outward = unit(middle - root)
+        bay = 0.62 * gap - np.linalg.norm(p - (middle + 0.32 * gap * outward), axis=1)
+        distances.append(np.maximum.reduce([flat, *sides, bay, (p - middle) @ outward]))
     return smooth_union(distances, 0.03)
 
 
 def ear(p):
-    return fan(p, (0.4, 1.62, -0.02), [(0.74, 1.96, -0.2), (0.84, 1.68, -0.22), (0.72, 1.42, -0.16)], 0.055, 0.035)
+    return fan(p, (0.4, 1.62, -0.02), [(0.74, 1.96, -0.2), (0.84, 1.68, -0.22), (0.72, 1.42, -0.16)], 0.06, 0.042)
 
 
 def wing(p):
-    return fan(p, (0.26, 1.02, -0.38), [(0.86, 1.5, -0.72), (1.02, 1.14, -0.74), (0.88, 0.8, -0.7), (0.6, 0.66, -0.62)], 0.055, 0.035)
+    return fan(p, (0.26, 1.02, -0.38), [(0.86, 1.5, -0.72), (1.02, 1.14, -0.74), (0.88, 0.8, -0.7), (0.6, 0.66, -0.62)], 0.06, 0.042)
 
 
 def spread(points, spacing, rng):
@@ -127,21 +136,16 @@ def spread(points, spacing, rng):
     return np.array(kept), np.array(kept_spacing)
 
 
-def smoothstep(low, high, value):
-    t = np.clip((value - low) / (high - low), 0.0, 1.0)
-    return t * t * (3.0 - 2.0 * t)
-
-
-def bare(points):
-    """Where the skin has no scales: 0 on the face, the belly, fans and paws; 1 on crown, back, tail."""
-    x, y, z = np.abs(points[:, 0]), points[:, 1], points[:, 2]
-    scaly = smoothstep(0.3, -0.05, z) * smoothstep(0.0, 0.16, y)
-    scaly = np.maximum(scaly, smoothstep(1.84, 1.98, y) * smoothstep(0.5, 0.3, z))
-    scaly = np.maximum(scaly, smoothstep(0.36, 0.5, x) * smoothstep(0.5, 0.25, z) * smoothstep(1.3, 1.1, y))
+def scaly(points):
+    """Where the skin has scales: 0 on the face, the belly, fans and paws; 1 on crown, back, tail."""
+    x, y, z = folded(points).T
+    where = smoothstep(0.3, -0.05, z) * smoothstep(0.0, 0.16, y)
+    where = np.maximum(where, smoothstep(1.84, 1.98, y) * smoothstep(0.5, 0.3, z))
+    where = np.maximum(where, smoothstep(0.36, 0.5, x) * smoothstep(0.5, 0.25, z) * smoothstep(1.3, 1.1, y))
     for fan_field in (ear, wing):
-        scaly = scaly * smoothstep(0.02, 0.1, fan_field(np.stack([x, y, z], axis=1)))
-    tail_z = np.where(points[:, 0] > 0.78, smoothstep(0.6, 0.3, z), 0.0)
-    return np.maximum(scaly, tail_z * smoothstep(0.5, 0.4, y))
+        where = where * smoothstep(0.02, 0.1, fan_field(folded(points)))
+    tail = smoothstep(0.9, 1.0, points[:, 0]) * smoothstep(0.78, 0.68, y)
+    return np.maximum(where, tail)
 
 
 def relief_of(centres, spacing):
@@ -162,11 +166,11 @@ def relief_of(centres, spacing):
 
     def relief(points):
         x, y, z = points.T
-        height = 0.2 * bare(points) * scales(points)
+        height = 0.17 * scaly(points) * scales(points)
         # The belly's plates lap over each other like tiles, from the chest down.
         across = smoothstep(0.36, 0.26, np.abs(x)) * smoothstep(0.2, 0.36, z) * smoothstep(1.24, 1.16, y) * smoothstep(0.1, 0.2, y)
-        lap = (y + 0.25 * x * x) / 0.135 % 1.0
-        height += 0.035 * across * smoothstep(0.0, 0.22, lap) * (1.0 - 0.55 * lap)
+        lap = (y + 0.25 * x * x) / 0.16 % 1.0
+        height += 0.05 * across * smoothstep(0.0, 0.4, lap) * smoothstep(1.4, 0.4, lap)
         # Wrinkles over the snout.
         snout = smoothstep(0.26, 0.12, np.abs(x)) * smoothstep(0.46, 0.52, z) * smoothstep(0.68, 0.6, z) * smoothstep(1.5, 1.56, y)
         return height + 0.008 * snout * np.cos(2.0 * np.pi * z / 0.055)
@@ -174,20 +178,32 @@ def relief_of(centres, spacing):
     return relief
 
 
+def facing_out(normals, places, triangles):
+    """Where lobes all but touch, the field's slope says little: there the triangles' own side counts."""
+    a, b, c = (places[triangles[:, k]] for k in range(3))
+    sides = np.zeros(places.shape)
+    for k in range(3):
+        np.add.at(sides, triangles[:, k], np.cross(b - a, c - a))
+    sides = unit(sides)
+    agree = np.einsum("ij,ij->i", normals, sides)[:, None]
+    return np.where(agree > 0.3, normals, sides)
+
+
 def skin():
-    places, triangles = surface(body, (-1.2, -0.12, -1.3), (1.5, 2.35, 1.0), CELL)
+    places, triangles = surface(body, (-1.2, -0.12, -1.3), (1.6, 2.35, 1.0), CELL)
     rng = np.random.default_rng(5)
-    spacing = 0.105 + 0.05 * smoothstep(0.9, 0.5, np.abs(places[:, 1] - 0.75)) - 0.045 * smoothstep(0.7, 1.1, places[:, 0])
+    spacing = 0.105 + 0.05 * smoothstep(0.9, 0.5, np.abs(places[:, 1] - 0.75)) - 0.02 * smoothstep(0.9, 1.3, places[:, 0])
     relief = relief_of(*spread(places, spacing, rng))
     normals = unit(gradient(body, places, 4e-3))
-    raised = places + relief(places)[:, None] * normals
+    # Half of its height goes into the outline, all of it into the light.
+    raised = places + 0.5 * relief(places)[:, None] * normals
     # The slope of the relief along the skin turns the normal against it.
     across = unit(np.cross(normals, np.where(np.abs(normals[:, :1]) < 0.7, [[1.0, 0.0, 0.0]], [[0.0, 1.0, 0.0]])))
     for direction in (across, np.cross(normals, across)):
         step = 0.008
         rise = (relief(places + step * direction) - relief(places - step * direction)) / (2.0 * step)
         normals = normals - rise[:, None] * direction
-    return raised, triangles, unit(normals)
+    return raised, triangles, facing_out(unit(normals), raised, triangles)
 
 
 def horn(side):
@@ -206,8 +222,17 @@ def claws():
 
 
 def tail_tip():
-    places, triangles = lathe([(0.0, -0.06), (0.13, 0.02), (0.1, 0.12), (0.0, 0.3)], 12)
-    return warp((places, triangles), lambda p: p * (1.0, 1.0, 0.45) + (0.715, 0.38, 0.47))
+    spade = lathe([(0.0, -0.06), (0.14, 0.02), (0.11, 0.12), (0.0, 0.32)], 14)
+    return turned((spade[0] * (1.0, 1.0, 0.5), spade[1]), (-0.45, 0.9, 0.0), np.array([1.28, 0.88, 0.1]))
+
+
+def eye(side, white, pupil):
+    """Rings of the white and of the pupil lie along the gaze, so that they meet in a clean circle."""
+    centre = EYE_AT * (side, 1.0, 1.0)
+    gaze = unit(np.array([0.1 * side + 0.24, 0.06, 1.0]))
+    yield white, turned(ball((0, 0, 0), (EYE_RADIUS,) * 3, 24), gaze, centre)
+    yield pupil, turned(ball((0, 0, 0), (0.105,) * 3, 24), gaze, centre + 0.062 * gaze)
+    yield white, ball(centre + 0.155 * gaze + (-0.03, 0.045, 0.0), (0.024,) * 3, 10)
 
 
 def main():
@@ -219,13 +244,7 @@ def main():
     parts = [(horns, horn(side)) for side in (-1, 1)]
     parts += [(horns, claw) for claw in claws()] + [(horns, tail_tip())]
     glb.node("horns", parts, crease_degrees=60)
-    eyes = []
-    for side in (-1, 1):
-        centre = EYE_AT * (side, 1.0, 1.0)
-        eyes.append((horns, ball(centre, (EYE_RADIUS,) * 3, 18)))
-        # A pupil looks ahead and a little to the side, as a shallow dome on the eye.
-        look = unit(np.array([0.16 * side + 0.1, -0.02, 1.0]))
-        eyes.append((pupil, ball(centre + 0.052 * look, (0.092, 0.112, 0.108), 16)))
+    eyes = [*eye(-1, horns, pupil), *eye(1, horns, pupil)]
     glb.node("eyes", eyes, crease_degrees=80)
     glb.save("scenes/shading.glb")
 

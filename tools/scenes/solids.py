@@ -21,6 +21,14 @@ def warp(mesh, change):
     return outward((change(mesh[0]), mesh[1]))
 
 
+def turned(mesh, axis, centre):
+    """Turns what stands along y to stand along `axis`."""
+    y = np.asarray(axis, float) / np.linalg.norm(axis)
+    x = np.cross(y, (0.0, 0.0, 1.0) if abs(y[2]) < 0.8 else (1.0, 0.0, 0.0))
+    x /= np.linalg.norm(x)
+    return warp(mesh, lambda p: p @ np.stack([x, y, np.cross(x, y)]) + centre)
+
+
 def loft(rings, caps="fan", closed=False):
     """A skin through closed rings of as many points each, and two caps. "fan" suits ends that their
     middle sees all of; "strip" suits bands, whose second half goes back along the first; "point"
@@ -66,6 +74,12 @@ def box(low, high, taper=1.0):
 def extrude(outline, back, front, caps="fan"):
     """An outline in x and y, from z = back to z = front."""
     return loft([[(x, y, z) for x, y in outline] for z in (back, front)], caps)
+
+
+def surround(outer, inner, back, front):
+    """The frame between two outlines of as many points."""
+    rings = [[(*p, back), (*p, front), (*q, front), (*q, back)] for p, q in zip(outer, inner)]
+    return loft(rings, closed=True)
 
 
 def circle(radius, count=16, turn=0.0):
@@ -131,6 +145,22 @@ def gradient(field, points, step=1e-3):
     return np.stack(columns, axis=1)
 
 
+def without_pinches(inside):
+    """Fills squares of the grid that are inside at two opposite corners only: four sheets would meet
+    along one edge there."""
+    while True:
+        pinched = np.zeros(inside.shape, bool)
+        for u, v in ((0, 1), (1, 2), (2, 0)):
+            b, c = np.roll(inside, -1, axis=u), np.roll(inside, -1, axis=v)
+            d = np.roll(b, -1, axis=v)
+            square = (inside == d) & (b == c) & (inside != b)
+            for back in (square, np.roll(square, 1, axis=u)):
+                pinched |= back | np.roll(back, 1, axis=v)
+        if not (pinched & ~inside).any():
+            return inside
+        inside = inside | pinched
+
+
 def surface(field, low, high, cell):
     """The surface where `field` is zero (negative inside), by surface nets: one vertex a cell that the
     surface crosses, one quad an edge of the grid that does. Gibson, "Constrained elastic surface
@@ -138,7 +168,7 @@ def surface(field, low, high, cell):
     low = np.asarray(low, float)
     counts = np.ceil((np.asarray(high, float) - low) / cell).astype(int) + 1
     grid = np.stack(np.meshgrid(*(np.arange(n) for n in counts), indexing="ij"), axis=-1)
-    inside = (field(low + cell * grid.reshape(-1, 3)) < 0.0).reshape(counts)
+    inside = without_pinches((field(low + cell * grid.reshape(-1, 3)) < 0.0).reshape(counts))
     quads, cells = [], {}
 
     def vertex(at):
