@@ -27,7 +27,8 @@ EAVES_Z, HANG = 2.16, 0.14
 CHIMNEY_FOOT, CHIMNEY_TOP = np.array([-1.15, 2.9, -0.35]), np.array([-1.42, 6.15, -0.32])
 
 # Trunks: x, y, z and radius. Crowns: the same of their lobes, large ones within and small ones on the rim.
-OAK_TRUNK = [(0, -0.4, 0, 0.46), (0.02, 0.0, 0, 0.29), (0.14, 0.6, 0, 0.21), (0.1, 1.2, 0, 0.18), (-0.08, 1.7, 0, 0.17), (-0.05, 2.3, 0, 0.13)]
+OAK_TRUNK = [(0, -0.4, 0, 0.46), (0.02, 0.0, 0, 0.29), (0.14, 0.6, 0, 0.21), (0.1, 1.2, 0, 0.18),
+    (-0.08, 1.7, 0, 0.17), (-0.05, 2.3, 0, 0.13)]
 OAK = [
     (0.0, 2.75, 0.0, 0.95), (-0.85, 2.3, 0.15, 0.62), (0.9, 2.25, 0.1, 0.7), (0.35, 3.5, 0.0, 0.72),
     (-0.5, 3.3, 0.15, 0.6), (0.25, 2.25, 0.7, 0.6), (-0.1, 2.4, -0.7, 0.65), (1.15, 2.95, 0.0, 0.42),
@@ -154,12 +155,14 @@ def chimney(glb, brick, soot):
 
     top = CHIMNEY_TOP[1]
     # Up the outside, over the lip, down the flue; the foot and the flue's end are capped.
-    outside = [(2.9, 0.5), (5.5, 0.37), (5.54, 0.46), (5.74, 0.47), (5.76, 0.4), (top - 0.14, 0.39), (top - 0.1, 0.5), (top, 0.51)]
+    outside = [(2.9, 0.5), (5.5, 0.37), (5.54, 0.46), (5.74, 0.47), (5.76, 0.4), (top - 0.14, 0.39), (top - 0.1, 0.5),
+        (top, 0.51)]
     mouth_half = 0.33
     flue = [(top, mouth_half), (top - 0.5, 0.3)]
     parts = [(brick, loft([frame(y, half) for y, half in outside + flue]))]
     # A few bricks stand proud of the wall.
-    for y, front, shift in ((4.92, True, 0.15), (5.12, True, -0.16), (5.33, True, 0.1), (5.0, False, -0.12), (5.27, False, 0.14)):
+    for y, front, shift in ((4.92, True, 0.15), (5.12, True, -0.16), (5.33, True, 0.1), (5.0, False, -0.12),
+        (5.27, False, 0.14)):
         reach = 0.5 - 0.05 * (y - 2.9)
         at = middle(y) + ((shift, 0.0, reach) if front else (reach, 0.0, shift))
         half = np.array((0.12, 0.06, 0.04) if front else (0.04, 0.06, 0.12))
@@ -216,29 +219,32 @@ def window(frame, glass, shutter, y, half_width=0.4, half_height=0.46, round_top
         parts[0] = (glass, extrude(inner, -0.1, 0.03))
     parts.append((frame, surround(outer, inner, -0.1, 0.1)))
     top = y + h + (w - 0.01 if round_top else 0.02)
-    parts.append((frame, extrude([(0.03, y - h - 0.02), (0.03, top), (-0.03, top), (-0.03, y - h - 0.02)], -0.05, 0.07)))
+    parts.append((frame, beam((0.0, y - h - 0.02), (0.0, top), 0.03, (-0.05, 0.07))))
     cross = y + (0.3 * h if not round_top else 0.6 * h)
-    parts.append((frame, extrude([(w + 0.02, cross), (w + 0.02, cross + 0.06), (-w - 0.02, cross + 0.06), (-w - 0.02, cross)], -0.05, 0.06)))
-    parts.append((frame, extrude([(w + 0.18, y - h - 0.17), (w + 0.16, y - h - 0.06), (-w - 0.16, y - h - 0.06), (-w - 0.18, y - h - 0.17)], -0.1, 0.17)))
+    parts.append((frame, beam((-w - 0.02, cross + 0.03), (w + 0.02, cross + 0.03), 0.03, (-0.05, 0.06))))
+    parts.append((frame, beam((-w - 0.17, y - h - 0.115), (w + 0.17, y - h - 0.115), 0.055, (-0.1, 0.17))))
     if shutter is None:
         return parts
     for side in (1, -1):
         near, far = side * (w + 0.12), side * (w + 0.47)
         skew = 0.03 * side
-        parts.append((shutter, extrude([(near, y - h - 0.05), (far + skew, y - h - 0.08), (far - skew, y + h + 0.1), (near, y + h + 0.06)], -0.05, 0.07)))
+        low, high = y - h - 0.06, y + h + 0.08
+        leaf = [(near, low), (far + skew, low - 0.02), (far - skew, high + 0.02), (near, high)]
+        parts.append((shutter, extrude(leaf, -0.05, 0.07)))
         for at in (-0.24, 0.26):
-            low, high = y + at - 0.045, y + at + 0.045
             inset = 0.05 * side
-            parts.append((shutter, extrude([(near + inset, low), (far - inset, low), (far - inset, high), (near + inset, high)], 0.0, 0.11)))
+            parts.append((shutter, beam((near + inset, y + at), (far - inset, y + at), 0.045, (0.0, 0.11))))
     return parts
 
 
 def flower_box(wood, leaf, petals, y, half):
-    parts = [(wood, extrude([(half - 0.05, y - 0.14), (half, y + 0.1), (-half, y + 0.1), (-half + 0.05, y - 0.14)], 0.02, 0.32))]
+    trough = [(half - 0.05, y - 0.14), (half, y + 0.1), (-half, y + 0.1), (-half + 0.05, y - 0.14)]
+    parts = [(wood, extrude(trough, 0.02, 0.32))]
     for k in range(5):
         x = half * (-0.78 + 0.39 * k)
         r = rng.uniform(0.11, 0.15)
-        parts.append((leaf if k % 2 else petals, ball((x, y + 0.13 + rng.uniform(0.0, 0.06), 0.2), (r, 0.85 * r, 0.9 * r), 8)))
+        middle = (x, y + 0.13 + rng.uniform(0.0, 0.06), 0.2)
+        parts.append((leaf if k % 2 else petals, ball(middle, (r, 0.85 * r, 0.9 * r), 8)))
     return parts
 
 
@@ -274,7 +280,7 @@ def timber(glb, wood):
     glb.node("timber", parts)
 
 
-def dormer(plaster):
+def dormer():
     """The wall under the eyebrow, which ends inside the roof."""
     turn = np.linspace(0.0, np.pi, 9)
     outline = [(0.85, 1.9)] + [(0.85 * np.cos(a), 2.2 + 0.72 * np.sin(a)) for a in turn] + [(-0.85, 1.9)]
@@ -284,7 +290,8 @@ def dormer(plaster):
 def stones(stone):
     """The plinth, and boulders that break its line."""
     parts = [(stone, warp(box((-2.12, -0.45, -1.67), (2.12, 0.22, 1.67), 1.0), crooked))]
-    for x, z, r in ((2.1, 1.2, 0.2), (2.12, 0.5, 0.15), (2.1, -0.2, 0.19), (2.1, -0.95, 0.16), (1.75, 1.66, 0.2), (1.2, 1.66, 0.15), (0.62, 1.66, 0.18), (-1.6, 1.66, 0.2), (-2.1, 1.2, 0.17)):
+    for x, z, r in ((2.1, 1.2, 0.2), (2.12, 0.5, 0.15), (2.1, -0.2, 0.19), (2.1, -0.95, 0.16), (1.75, 1.66, 0.2),
+        (1.2, 1.66, 0.15), (0.62, 1.66, 0.18), (-1.6, 1.66, 0.2), (-2.1, 1.2, 0.17)):
         parts.append((stone, ball((x, 0.02 + 0.3 * r, z), (1.25 * r, 0.8 * r, 1.1 * r), 8)))
     return parts
 
@@ -326,17 +333,22 @@ def fence(paint):
             tall = rng.uniform(0.68, 0.8) + (0.16 if k in (0, count - 1) else 0.0)
             wide = 0.085 if k not in (0, count - 1) else 0.11
             tilt = rng.uniform(-0.07, 0.07)
-            picket = extrude([(wide, -0.25), (wide, tall - 0.12), (0.0, tall), (-wide, tall - 0.12), (-wide, -0.25)], -0.035, 0.035)
+            half = [(wide, -0.25), (wide, tall - 0.12)]
+            picket = half + [(0.0, tall)] + [(-u, v) for u, v in half[::-1]]
+            picket = extrude(picket, -0.035, 0.035)
             def stand(places, x=x, z=z, angle=angle, tilt=tilt):
                 u = places[:, 0] + tilt * places[:, 1]
                 v = places[:, 2]
-                return np.stack([x - u * np.sin(angle) + v * np.cos(angle), places[:, 1] + ground_y(x, z), z + u * np.cos(angle) + v * np.sin(angle)], axis=1)
+                return np.stack([x - u * np.sin(angle) + v * np.cos(angle), places[:, 1] + ground_y(x, z),
+                    z + u * np.cos(angle) + v * np.sin(angle)], axis=1)
             parts.append((paint, warp(picket, stand)))
         for height in (0.2, 0.48):
             line = []
             for angle in np.radians(np.linspace(start - 1.0, end + 1.0, 8)):
                 x, z = (reach - 0.06) * np.cos(angle), (reach - 0.06) * np.sin(angle)
-                line.append([(x + a * np.cos(angle), ground_y(x, z) + height + b, z + a * np.sin(angle)) for a, b in ((-0.025, -0.045), (0.025, -0.045), (0.025, 0.045), (-0.025, 0.045))])
+                y = ground_y(x, z) + height
+                section = ((-0.025, -0.045), (0.025, -0.045), (0.025, 0.045), (-0.025, 0.045))
+                line.append([(x + a * np.cos(angle), y + b, z + a * np.sin(angle)) for a, b in section])
             parts.append((paint, loft(line, caps="strip")))
     return parts
 
@@ -345,7 +357,8 @@ def crown(lobes, cell):
     """Lobes grown together, with soft valleys between them."""
     lobes = np.array(lobes, float)
     def field(points):
-        return smooth_union([np.linalg.norm((points - lobe[:3]) / (1.0, 0.92, 1.0), axis=1) - lobe[3] for lobe in lobes], 0.2)
+        flattened = [(points - lobe[:3]) / (1.0, 0.92, 1.0) for lobe in lobes]
+        return smooth_union([np.linalg.norm(p, axis=1) - lobe[3] for p, lobe in zip(flattened, lobes)], 0.2)
     reach = lobes[:, 3:] + 0.2
     return surface(field, (lobes[:, :3] - reach).min(axis=0), (lobes[:, :3] + reach).max(axis=0), cell)
 
@@ -376,7 +389,8 @@ def main():
     glb.node("path", path(stone))
     lean_z, lean_x = (EAVES[1] - FOOT[1]) / 2.4, (EAVES[0] - FOOT[0]) / 2.4
     front, side = FOOT[1] + 0.35 * lean_z, FOOT[0] + 0.35 * lean_x
-    glb.node("house", [(plaster, walls())] + facing([(plaster, dormer(plaster))], DORMER_X, front, lean_z) + stones(stone), crease_degrees=30)
+    house = [(plaster, walls())] + facing([(plaster, dormer())], DORMER_X, front, lean_z) + stones(stone)
+    glb.node("house", house, crease_degrees=30)
     glb.node("roof", [(shingle, roof()), (ridge, ridge_cap())])
     timber(glb, wood)
     glb.node("door", facing(door(teal, stone, glass, glass), DOOR_X, front, lean_z))

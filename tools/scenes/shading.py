@@ -32,18 +32,32 @@ def capsule(points, start, end, radius_start, radius_end):
     start, end = np.asarray(start, float), np.asarray(end, float)
     along = end - start
     t = np.clip((points - start) @ along / (along @ along), 0.0, 1.0)
-    return np.linalg.norm(points - start - t[:, None] * along, axis=1) - (radius_start + t * (radius_end - radius_start))
+    away = np.linalg.norm(points - start - t[:, None] * along, axis=1)
+    return away - (radius_start + t * (radius_end - radius_start))
 
 
-TAIL = [
-    ((0.0, 0.3, -0.42), 0.34), ((0.25, 0.2, -0.74), 0.26), ((0.68, 0.16, -0.82), 0.2), ((1.06, 0.15, -0.58), 0.165),
-    ((1.27, 0.2, -0.22), 0.135), ((1.38, 0.38, 0.02), 0.11), ((1.4, 0.62, 0.1), 0.088), ((1.3, 0.84, 0.1), 0.066),
-]
+# The tail's line: x, y, z and radius.
+TAIL = np.array([
+    (0.0, 0.3, -0.42, 0.34), (0.25, 0.2, -0.74, 0.26), (0.68, 0.16, -0.82, 0.2), (1.06, 0.15, -0.58, 0.165),
+    (1.27, 0.2, -0.22, 0.135), (1.38, 0.38, 0.02, 0.11), (1.4, 0.62, 0.1, 0.088), (1.3, 0.84, 0.1, 0.066),
+])
 SPIKES = [
     # Along the middle, from the brow over the back: foot, height and length, leaning back.
     ((1.98, 0.02), 0.13), ((1.93, -0.24), 0.16), ((1.72, -0.42), 0.17), ((1.44, -0.44), 0.17),
     ((1.16, -0.46), 0.18), ((0.88, -0.56), 0.19), ((0.6, -0.64), 0.18), ((0.38, -0.72), 0.14),
 ]
+
+
+def through(points, pieces):
+    """More points on a smooth line through these (Catmull–Rom)."""
+    ends = np.concatenate([[2.0 * points[0] - points[1]], points, [2.0 * points[-1] - points[-2]]])
+    line = []
+    for p0, p1, p2, p3 in zip(ends, ends[1:], ends[2:], ends[3:]):
+        for t in np.arange(pieces) / pieces:
+            line.append(0.5 * (
+                2 * p1 + (p2 - p0) * t + (2 * p0 - 5 * p1 + 4 * p2 - p3) * t**2
+                + (3 * p1 - p0 - 3 * p2 + p3) * t**3))
+    return np.array(line + [points[-1]])
 
 
 def folded(points):
@@ -75,20 +89,23 @@ def body(points):
     # Sockets for the eyes, a smile, nostrils.
     head = -smooth_union([-head, ellipsoid(p, EYE_AT + (0.0, 0.0, 0.035), (0.165, 0.165, 0.15))], 0.04)
     smile_y = 1.385 + 0.25 * p[:, 0] ** 2 + 0.55 * np.clip(p[:, 0] - 0.2, 0.0, 1.0) ** 2
-    lips = np.exp(-(((p[:, 1] - smile_y) / 0.034) ** 2)) * smoothstep(0.1, 0.22, p[:, 2]) * smoothstep(0.1, 0.02, np.abs(head))
+    lips = np.exp(-(((p[:, 1] - smile_y) / 0.034) ** 2))
+    lips *= smoothstep(0.1, 0.22, p[:, 2]) * smoothstep(0.1, 0.02, np.abs(head))
     head = head + 0.062 * lips
     nostril = ellipsoid(p, (0.15, 1.585, 0.745), (0.046, 0.036, 0.06))
-    head = -smooth_union([-head, nostril], 0.02)
+    head = -smooth_union([-head, nostril], 0.035)
     ears = ear(p)
+    line = through(TAIL, 3)
     tail = smooth_union([
-        capsule(points, a, b, ra, rb) for (a, ra), (b, rb) in zip(TAIL, TAIL[1:])
-    ], 0.1)
+        capsule(points, a[:3], b[:3], a[3], b[3]) for a, b in zip(line, line[1:])
+    ], 0.06)
     whole = smooth_union([trunk, *toes], 0.05)
     whole = smooth_union([whole, *arms], 0.06)
     whole = smooth_union([whole, tail], 0.12)
     whole = smooth_union([whole, head], 0.07)
     whole = smooth_union([whole, ears, wing(p)], 0.05)
-    spikes = [capsule(p, (0.0, y, z), (0.0, y + 1.1 * tall * (0.9 if y > 1.5 else 0.55), z - tall * (0.5 if y > 1.8 else 1.0)), 0.09, 0.042)
+    spikes = [capsule(p, (0.0, y, z), (0.0, y + 1.1 * tall * (0.9 if y > 1.5 else 0.55),
+        z - tall * (0.5 if y > 1.8 else 1.0)), 0.09, 0.042)
               for (y, z), tall in SPIKES]
     return smooth_union([whole, *spikes], 0.05)
 
@@ -119,7 +136,8 @@ def ear(p):
 
 
 def wing(p):
-    return fan(p, (0.26, 1.02, -0.38), [(0.86, 1.5, -0.72), (1.02, 1.14, -0.74), (0.88, 0.8, -0.7), (0.6, 0.66, -0.62)], 0.06, 0.042)
+    return fan(p, (0.26, 1.02, -0.38), [(0.86, 1.5, -0.72), (1.02, 1.14, -0.74), (0.88, 0.8, -0.7),
+        (0.6, 0.66, -0.62)], 0.06, 0.042)
 
 
 def spread(points, spacing, rng):
@@ -168,11 +186,13 @@ def relief_of(centres, spacing):
         x, y, z = points.T
         height = 0.17 * scaly(points) * scales(points)
         # The belly's plates lap over each other like tiles, from the chest down.
-        across = smoothstep(0.36, 0.26, np.abs(x)) * smoothstep(0.2, 0.36, z) * smoothstep(1.24, 1.16, y) * smoothstep(0.1, 0.2, y)
+        across = smoothstep(0.36, 0.26, np.abs(x)) * smoothstep(0.2, 0.36, z)
+        across *= smoothstep(1.24, 1.16, y) * smoothstep(0.1, 0.2, y)
         lap = (y + 0.25 * x * x) / 0.16 % 1.0
         height += 0.05 * across * smoothstep(0.0, 0.4, lap) * smoothstep(1.4, 0.4, lap)
         # Wrinkles over the snout.
-        snout = smoothstep(0.26, 0.12, np.abs(x)) * smoothstep(0.46, 0.52, z) * smoothstep(0.68, 0.6, z) * smoothstep(1.5, 1.56, y)
+        snout = smoothstep(0.26, 0.12, np.abs(x)) * smoothstep(1.5, 1.56, y)
+        snout *= smoothstep(0.46, 0.52, z) * smoothstep(0.68, 0.6, z)
         return height + 0.008 * snout * np.cos(2.0 * np.pi * z / 0.055)
 
     return relief
@@ -192,11 +212,13 @@ def facing_out(normals, places, triangles):
 def skin():
     places, triangles = surface(body, (-1.2, -0.12, -1.3), (1.6, 2.35, 1.0), CELL)
     rng = np.random.default_rng(5)
-    spacing = 0.105 + 0.05 * smoothstep(0.9, 0.5, np.abs(places[:, 1] - 0.75)) - 0.02 * smoothstep(0.9, 1.3, places[:, 0])
+    # Large scales on the back, small ones on the crown and toward the tail's end.
+    spacing = 0.105 + 0.05 * smoothstep(0.9, 0.5, np.abs(places[:, 1] - 0.75))
+    spacing -= 0.02 * smoothstep(0.9, 1.3, places[:, 0])
     relief = relief_of(*spread(places, spacing, rng))
     normals = unit(gradient(body, places, 4e-3))
-    # Half of its height goes into the outline, all of it into the light.
-    raised = places + 0.5 * relief(places)[:, None] * normals
+    # Less than half of its height goes into the outline, all of it into the light.
+    raised = places + 0.4 * relief(places)[:, None] * normals
     # The slope of the relief along the skin turns the normal against it.
     across = unit(np.cross(normals, np.where(np.abs(normals[:, :1]) < 0.7, [[1.0, 0.0, 0.0]], [[0.0, 1.0, 0.0]])))
     for direction in (across, np.cross(normals, across)):
@@ -209,7 +231,8 @@ def skin():
 def horn(side):
     """Curved back, ringed, tapering."""
     t = np.linspace(0.0, 1.0, 26)
-    path = np.stack([side * (0.27 + 0.3 * t - 0.1 * t * t), 1.94 + 0.52 * t - 0.06 * t * t, 0.0 - 0.18 * t - 0.22 * t * t], axis=1)
+    path = np.stack([side * (0.27 + 0.3 * t - 0.1 * t * t), 1.94 + 0.52 * t - 0.06 * t * t,
+        0.0 - 0.18 * t - 0.22 * t * t], axis=1)
     rings = 1.0 + 0.1 * np.abs(np.sin(7.0 * np.pi * t**0.8)) * (1.0 - t)
     return tube(path, 0.115 * (1.0 - t) ** 0.75 * rings + 0.012, 16)
 

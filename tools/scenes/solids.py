@@ -31,8 +31,8 @@ def turned(mesh, axis, centre):
 
 def loft(rings, caps="fan", closed=False):
     """A skin through closed rings of as many points each, and two caps. "fan" suits ends that their
-    middle sees all of; "strip" suits bands, whose second half goes back along the first; "point"
-    draws both ends together. `closed` joins the last ring to the first instead."""
+    middle sees all of; "strip" suits bands, whose second half goes back along the first. `closed`
+    joins the last ring to the first instead."""
     rings = np.asarray(rings, float)
     count, size = rings.shape[:2]
     places = rings.reshape(-1, 3)

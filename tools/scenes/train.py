@@ -11,7 +11,7 @@ funnel's mouth is.
 import numpy as np
 
 from glb import Glb
-from solids import TAU, ball, box, circle, extrude, lathe, loft, move, surround, tube, turned
+from solids import TAU, box, circle, extrude, lathe, loft, move, surround, tube, turned
 
 SECS, KEYS_PER_SEC, TRAVEL = 4.0, 15, 7.0
 DRIVER, PILOT = 0.56, 0.31
@@ -34,7 +34,8 @@ def boiler(paint, brass, dark):
     parts.append((dark, along_x([(0.5, 1.9), (0.48, 2.02), (0.34, 2.08), (0.0, 2.11)], BOILER_Y)))
     parts.append((brass, along_x([(0.09, 2.0), (0.09, 2.16), (0.0, 2.19)], BOILER_Y, 12)))
     for x in (-0.25, 0.4, 0.98):
-        parts.append((brass, along_x([(r - 0.03, x - 0.045), (r + 0.045, x - 0.045), (r + 0.045, x + 0.045), (r - 0.03, x + 0.045)], BOILER_Y)))
+        hoop = [(r - 0.03, x - 0.045), (r + 0.045, x - 0.045), (r + 0.045, x + 0.045), (r - 0.03, x + 0.045)]
+        parts.append((brass, along_x(hoop, BOILER_Y)))
     # Dome and whistle.
     dome = lathe([(0.34, -0.2), (0.34, 0.06), (0.27, 0.12), (0.26, 0.34), (0.2, 0.46), (0.09, 0.52), (0.0, 0.53)], 18)
     parts.append((brass, move(dome, (0.1, BOILER_Y + r - 0.02, 0.0))))
@@ -46,7 +47,8 @@ def boiler(paint, brass, dark):
 def funnel(dark, brass):
     """A flared stack, open at its mouth: up the outside, over the lip, down the flue."""
     foot, top = BOILER_Y + 0.4, FUNNEL_TOP
-    outside = [(0.3, foot), (0.3, foot + 0.24), (0.2, foot + 0.32), (0.2, foot + 0.62), (0.4, top - 0.34), (0.42, top - 0.26), (0.31, top)]
+    outside = [(0.3, foot), (0.3, foot + 0.24), (0.2, foot + 0.32), (0.2, foot + 0.62), (0.4, top - 0.34),
+        (0.42, top - 0.26), (0.31, top)]
     flue = [(FUNNEL_MOUTH, top), (0.16, foot + 0.7), (0.16, foot + 0.4)]
     stack = lathe(outside + flue, 20)
     band = lathe([(0.36, top - 0.33), (0.445, top - 0.33), (0.455, top - 0.25), (0.36, top - 0.25)], 20)
@@ -62,7 +64,8 @@ def cab(paint, roof, glass, brass):
     half = np.linspace(-0.92, 0.92, 13)
     arch = [(z, high - 0.06 + 0.34 * np.sqrt(1.0 - (z / 1.0) ** 2) ** 1.2) for z in half]
     under = [(0.97 * z, y - 0.11) for z, y in arch]
-    rings = [[(x, y + 0.05 * (x + 1.25) ** 2, z) for z, y in arch + under[::-1]] for x in (-2.0, -1.6, -1.2, -0.8, -0.55)]
+    xs = (-2.0, -1.6, -1.2, -0.8, -0.55)
+    rings = [[(x, y + 0.05 * (x + 1.25) ** 2, z) for z, y in arch + under[::-1]] for x in xs]
     parts.append((roof, loft(rings, caps="strip")))
     for side in (-1, 1):
         # Windows lie on the leaning walls, a frame round a pane.
@@ -87,17 +90,20 @@ def frame(dark, brass, glass, red):
     # Running boards over the wheels.
     for side in (-1, 1):
         parts.append((dark, box((-1.9, 1.13, side * 0.62 - 0.2), (1.7, 1.2, side * 0.62 + 0.2))))
-        # Cylinder, piston rod.
-        at = np.array([0.0, DRIVER, side * 0.66])
-        parts.append((red, turned(lathe([(0.2, 1.14), (0.22, 1.17), (0.22, 1.74), (0.2, 1.77)], 16), (1, 0, 0), at + (0.0, 0.2, 0.0))))
-        for y, r in ((2.06, 0.13),):
-            parts.append((dark, turned(lathe([(0.06, y - 0.1), (0.06, y + 0.14), (r, y + 0.15), (r, y + 0.2)], 12), (1, 0, 0), np.array([0, 0.67, side * 0.5]))))
+        # The cylinder, and in front of it a buffer.
+        at = np.array([0.0, DRIVER + 0.2, side * 0.66])
+        cylinder = lathe([(0.2, 1.14), (0.22, 1.17), (0.22, 1.74), (0.2, 1.77)], 16)
+        parts.append((red, turned(cylinder, (1, 0, 0), at)))
+        buffer = lathe([(0.06, 1.96), (0.06, 2.2), (0.13, 2.21), (0.13, 2.26)], 12)
+        parts.append((dark, turned(buffer, (1, 0, 0), np.array([0.0, 0.67, side * 0.5]))))
     # The cowcatcher: slats that fan out from under the beam.
     for k in range(7):
         z = -0.6 + 0.2 * k
         reach = 0.62 - 0.5 * abs(z) ** 1.5
-        parts.append((dark, loft([[(x + a, y, zz + b) for a, b in ((-0.03, -0.035), (0.03, -0.035), (0.03, 0.035), (-0.03, 0.035))]
-                                  for x, y, zz in ((2.02, 0.6, 0.7 * z), (2.02 + reach, 0.1, z))], caps="strip")))
+        section = ((-0.03, -0.035), (0.03, -0.035), (0.03, 0.035), (-0.03, 0.035))
+        ends = ((2.02, 0.6, 0.7 * z), (2.02 + reach, 0.1, z))
+        slat = loft([[(x + a, y, end + b) for a, b in section] for x, y, end in ends], caps="strip")
+        parts.append((dark, slat))
     line = [(2.02 + 0.62 - 0.5 * abs(z) ** 1.5, 0.11, z) for z in np.linspace(-0.64, 0.64, 9)]
     parts.append((dark, tube(line, 0.05, 6)))
     # A lamp on a bracket.
@@ -120,7 +126,8 @@ def wheel(radius, spokes, red, steel):
         for k in range(spokes):
             a = TAU * k / spokes
             u, v = np.array([np.cos(a), np.sin(a)]), np.array([-np.sin(a), np.cos(a)])
-            outline = [0.1 * radius * u - 0.05 * v, 0.87 * radius * u - 0.032 * v, 0.87 * radius * u + 0.032 * v, 0.1 * radius * u + 0.05 * v]
+            hub, rim = 0.1 * radius * u, 0.87 * radius * u
+            outline = [hub - 0.05 * v, rim - 0.032 * v, rim + 0.032 * v, hub + 0.05 * v]
             parts.append((red, extrude(outline, near + 0.025, far - 0.025)))
     return parts
 
@@ -144,11 +151,12 @@ def rods(steel):
 
 
 def track(steel, wood, gravel, grass):
-    half = 6.5
+    half = 10.0
     bank = [(-1.5, -0.55), (1.5, -0.55), (1.05, -0.2), (-1.05, -0.2)]
-    xs = np.linspace(-half, half, 14)
-    parts = [(gravel, loft([[(x, y + 0.02 * np.sin(3.0 * x), z + 0.04 * np.sin(2.1 * x)) for z, y in bank] for x in xs], caps="strip"))]
-    meadow = lathe([(7.6, -1.3), (7.9, -1.0), (7.6, -0.72), (6.0, -0.52), (3.0, -0.42), (0.0, -0.4)], 48)
+    xs = np.linspace(-half, half, 20)
+    rings = [[(x, y + 0.02 * np.sin(3.0 * x), z + 0.04 * np.sin(2.1 * x)) for z, y in bank] for x in xs]
+    parts = [(gravel, loft(rings, caps="strip"))]
+    meadow = lathe([(11.2, -1.3), (11.6, -1.0), (11.2, -0.72), (8.5, -0.52), (4.0, -0.42), (0.0, -0.4)], 48)
     parts.append((grass, (meadow[0] * (1.0, 1.0, 0.5), meadow[1])))
     for x in np.arange(-half + 0.3, half, 0.62):
         parts.append((wood, box((x - 0.13, -0.3, -0.95), (x + 0.13, -0.09, 0.95), 0.96)))
@@ -188,7 +196,11 @@ def main():
     glb.animate(engine, "translation", times, np.stack([gone - 0.5 * TRAVEL, still, still], axis=1))
     bob = 0.018 * np.sin(2.0 * gone / DRIVER)
     glb.animate(body, "translation", times, np.stack([still, bob, still], axis=1))
-    for name, x, radius, spokes in (("wheels rear", DRIVER_X[0], DRIVER, 9), ("wheels front", DRIVER_X[1], DRIVER, 9), ("wheels pilot", PILOT_X, PILOT, 6)):
+    axles = [
+        ("wheels rear", DRIVER_X[0], DRIVER, 9), ("wheels front", DRIVER_X[1], DRIVER, 9),
+        ("wheels pilot", PILOT_X, PILOT, 6),
+    ]
+    for name, x, radius, spokes in axles:
         parts = wheel(radius, spokes, red, steel)
         if radius == DRIVER:
             parts += crank_pins(steel)
