@@ -6,13 +6,25 @@ const MAX_CHARS: usize = 40;
 /// Most names that one list shows.
 const MAX_NAMES: usize = 8;
 
+/// Longest path in characters: its end tells which file it is.
+const MAX_PATH_CHARS: usize = 160;
+
 /// `bytes` as text without control characters, cut to a readable length.
 pub(crate) fn excerpt(bytes: &[u8]) -> String {
+    cut(bytes, MAX_CHARS)
+}
+
+/// The same for a path.
+pub(crate) fn excerpt_path(path: &str) -> String {
+    cut(path.as_bytes(), MAX_PATH_CHARS)
+}
+
+fn cut(bytes: &[u8], max_chars: usize) -> String {
     // Four bytes a character is UTF-8's most, so nothing that would be shown is cut off here.
-    let text = String::from_utf8_lossy(&bytes[..bytes.len().min(4 * (MAX_CHARS + 1))]);
+    let text = String::from_utf8_lossy(&bytes[..bytes.len().min(4 * (max_chars + 1))]);
     let printable = |c: char| if c.is_control() { char::REPLACEMENT_CHARACTER } else { c };
-    let mut shown: String = text.chars().take(MAX_CHARS).map(printable).collect();
-    if text.chars().nth(MAX_CHARS).is_some() {
+    let mut shown: String = text.chars().take(max_chars).map(printable).collect();
+    if text.chars().nth(max_chars).is_some() {
         shown.push('…');
     }
     shown

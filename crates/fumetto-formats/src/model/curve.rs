@@ -28,7 +28,7 @@ pub(super) struct Curve {
 impl Curve {
     /// The value at a time; before the first key and after the last one it stays.
     pub(super) fn at(&self, time_secs: f32) -> Vec4 {
-        self.between(time_secs, |from, to, share| from.lerp(to, share))
+        self.between(time_secs, Vec4::lerp)
     }
 
     /// The same for turns, whose values are quaternions.

@@ -5,9 +5,12 @@ use glam::{DVec3, Vec2, Vec3, Vec4};
 use super::notes::Notes;
 use super::{DEFAULT_SMOOTH_DEGREES, ModelOptions, Part, normals};
 
-/// A triangle is without area when it is thinner than this share of its longest side: what is left of
-/// three points on a line after rounding to single precision stays below, and no picture shows it.
-const LEAST_THICKNESS: f64 = 1e-9;
+/// A triangle is without area when it is thinner than this share of its longest side: about what single
+/// precision leaves of three points on a line. No picture shows it.
+const LEAST_THICKNESS: f64 = 1e-7;
+
+/// Most characters of a part's name: an endless one that thousands of parts share would fill the memory.
+const MAX_NAME_CHARS: usize = 200;
 
 /// A part that is not yet known to be in order; its triangles name vertices that exist.
 #[derive(Default)]
@@ -23,10 +26,11 @@ pub(super) struct Surface {
 }
 
 /// What a part is called.
+#[derive(Clone, Copy)]
 pub(super) struct Label<'a> {
     /// Where it stands in the file, for notes.
     pub(super) element: &'a str,
-    pub(super) name: String,
+    pub(super) name: &'a str,
     pub(super) material: usize,
 }
 
@@ -59,7 +63,7 @@ impl Surface {
         self.mend_values(label.element, notes);
         self.give_normals(label.element, options, notes);
         Some(Part {
-            name: label.name,
+            name: label.name.chars().take(MAX_NAME_CHARS).collect(),
             material: label.material,
             positions: self.positions.iter().map(Vec3::to_array).collect(),
             normals: self.normals.iter().map(Vec3::to_array).collect(),
@@ -121,7 +125,7 @@ impl Surface {
             return normals::compute(self, degrees);
         }
         // In double precision, for the square of a short or a long one leaves the single one's range.
-        let unit = |normal: &Vec3| normal.as_dvec3().try_normalize().map(|unit| unit.as_vec3());
+        let unit = |normal: &Vec3| normal.as_dvec3().try_normalize().map(DVec3::as_vec3);
         let known: Vec<Option<Vec3>> = self.normals.iter().map(unit).collect();
         let missing = known.iter().filter(|normal| normal.is_none()).count();
         if missing == 0 {
@@ -160,7 +164,7 @@ pub(super) fn used(triangles: &mut [[u32; 3]], count: usize) -> Vec<u32> {
 
 /// Whether a triangle covers anything.
 fn has_area(corners: [Vec3; 3]) -> bool {
-    let [a, b, c] = corners.map(|corner| corner.as_dvec3());
+    let [a, b, c] = corners.map(Vec3::as_dvec3);
     let longest = [b - a, c - b, a - c].map(DVec3::length_squared).into_iter().fold(0.0, f64::max);
     (b - a).cross(c - a).length() > LEAST_THICKNESS * longest
 }

@@ -4,6 +4,7 @@ use rustc_hash::FxHashMap;
 
 use super::companions::{Companions, Location};
 use super::notes::Notes;
+use crate::excerpt::excerpt_path;
 use crate::jpeg::read_jpeg;
 use crate::{FormatError, Image, MAX_IMAGE_SIDE, read_png};
 
@@ -36,12 +37,13 @@ impl Textures {
                 if let Some(&known) = self.known.get(&path) {
                     return known;
                 }
+                let shown = excerpt_path(&path);
                 let image = match companions.read(&path) {
-                    Ok(bytes) => self.within(element, &path, &bytes, notes),
+                    Ok(bytes) => self.within(element, &shown, &bytes, notes),
                     Err(error) => {
                         notes.say(
                             element,
-                            format!("goes without its picture, for `{path}` cannot be read ({error})"),
+                            format!("goes without its picture, for `{shown}` cannot be read ({error})"),
                         );
                         None
                     }

@@ -219,7 +219,7 @@ fn real(bytes: &[u8], component: ComponentType, normalised: bool) -> f32 {
     let (value, most) = match component {
         ComponentType::F32 => return bytes.first_chunk().map_or(0.0, |&bytes| f32::from_le_bytes(bytes)),
         ComponentType::I8 => {
-            (bytes.first().map_or(0.0, |&byte| f32::from(byte.cast_signed())), i8::MAX as f32)
+            (bytes.first().map_or(0.0, |&byte| f32::from(byte.cast_signed())), f32::from(i8::MAX))
         }
         ComponentType::I16 => (
             bytes.first_chunk().map_or(0.0, |&bytes| f32::from(i16::from_le_bytes(bytes))),

@@ -7,7 +7,7 @@ use gltf_json::{Buffer, Root};
 
 use super::container::Container;
 use crate::FormatError;
-use crate::excerpt::{excerpt, list};
+use crate::excerpt::{excerpt, excerpt_path, list};
 use crate::model::companions::{Companions, Location};
 use crate::model::notes::Notes;
 
@@ -34,9 +34,9 @@ const KNOWN_EXTENSIONS: [&str; 18] = [
     "MSFT_packing_occlusionRoughnessMetallic",
 ];
 
-/// Most items that may be read, other than corners of triangles: a hundred times what the largest
-/// animations hold. Files get beyond by having many accessors share the same bytes.
-const MAX_ITEMS: u64 = 1 << 26;
+/// Most items of four numbers that may be read, other than corners of triangles: more than 24 hours of
+/// 50 bones at every frame, and 270 MB. Small files get beyond by having many accessors share their bytes.
+const MAX_ITEMS: u64 = 1 << 24;
 
 /// A glTF document with its buffers.
 pub(super) struct Document<'a> {
@@ -131,7 +131,7 @@ impl<'a> Document<'a> {
         match location {
             Location::Inside(bytes) => Ok(Cow::Owned(bytes)),
             Location::File(path) => companions.read(&path).map(Cow::Owned).map_err(|error| {
-                let path = excerpt(path.as_bytes());
+                let path = excerpt_path(&path);
                 FormatError::Companion { file: self.path.to_owned(), element, path, error }
             }),
         }
@@ -174,7 +174,7 @@ impl<'a> Document<'a> {
             self.wrong(
                 element,
                 format!(
-                    "with it, animations and sparse accessors have more than {MAX_ITEMS} items; simplify them"
+                    "with it, there are more than {MAX_ITEMS} key frames, instances and sparse items; simplify them"
                 ),
             )
         })?;

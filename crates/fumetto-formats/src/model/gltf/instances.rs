@@ -9,6 +9,9 @@ use crate::FormatError;
 
 const EXTENSION: &str = "EXT_mesh_gpu_instancing";
 
+/// What an instance takes: a matrix is four times four numbers.
+const ITEMS_AN_INSTANCE: usize = 4;
+
 /// Where the copies of a node's mesh stand in the node, if it has any.
 pub(super) fn read(
     document: &Document<'_>,
@@ -27,7 +30,6 @@ pub(super) fn read(
             let problem = format!("accessor {index} cannot be its instances' {name}; export the model again");
             return Err(document.wrong(element, problem));
         }
-        document.take_items(element, accessor.count)?;
         Ok(Some(accessor))
     };
     let translation = accessor("TRANSLATION", 3)?;
@@ -41,6 +43,7 @@ pub(super) fn read(
         return Err(document
             .wrong(element, "its instances have attributes of different counts; export the model again"));
     }
+    document.take_items(element, count.saturating_mul(ITEMS_AN_INSTANCE))?;
     let matrix = |i: usize| {
         let translation = translation.as_ref().map_or(Vec3::ZERO, |accessor| accessor.vector(i).into());
         let rotation = rotation.as_ref().map_or(Vec4::W, |accessor| accessor.vector(i).into());

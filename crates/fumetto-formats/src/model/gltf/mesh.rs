@@ -80,7 +80,7 @@ fn positions(primitive: &Primitive) -> Option<usize> {
 }
 
 fn attribute(primitive: &Primitive, semantic: Semantic) -> Option<usize> {
-    primitive.attributes.get(&Checked::Valid(semantic)).map(|accessor| accessor.value())
+    primitive.attributes.get(&Checked::Valid(semantic)).map(gltf_json::Index::value)
 }
 
 /// The triangles that so many corners make.
@@ -144,7 +144,7 @@ impl<'a> Meshes<'a> {
             let Some(surface) = self.surface(&element, primitive, materials.uvs(material), notes)? else {
                 continue;
             };
-            let label = Label { element: &element, name: mesh.name.clone().unwrap_or_default(), material };
+            let label = Label { element: &element, name: mesh.name.as_deref().unwrap_or_default(), material };
             self.parts.extend(surface.finish(label, self.options, notes));
         }
         let parts = start..self.parts.len();

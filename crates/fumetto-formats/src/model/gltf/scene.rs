@@ -78,7 +78,7 @@ fn roots(document: &Document<'_>, notes: &mut Notes) -> Result<Vec<usize>, Forma
                 label("scene", shown, scene.name.as_deref())
             ));
         }
-        return Ok(scene.nodes.iter().map(|node| node.value()).collect());
+        return Ok(scene.nodes.iter().map(gltf_json::Index::value).collect());
     }
     if root.scene.is_some() {
         return Err(document.absent("the document", "scene", shown));
