@@ -12,7 +12,10 @@ const PROGRAMS: &[(&str, &[&str])] = &[
     ("gpu/compact", &["gpu/compact"]),
     ("particles/step", &["gpu/random", "gpu/noise", "particles/state", "particles/air", "particles/step"]),
     ("shapes/mesh/place", &["gpu/octahedral", "shapes/mesh/mesh", "shapes/mesh/place"]),
-    ("shapes/mesh/body", &["gpu/view", "shapes/mesh/mesh", "shapes/mesh/body"]),
+    (
+        "shapes/mesh/body",
+        &["gpu/view", "gpu/octahedral", "shapes/mesh/mesh", "shapes/mesh/surface", "shapes/mesh/body"],
+    ),
     ("shapes/puffs/atlas", &["gpu/fullscreen", "shapes/puffs/atlas"]),
     (
         "shapes/puffs/present",

@@ -60,7 +60,7 @@ fn seen_at(id: u32, px: vec2i, distance: f32) -> Seen {
     if HAS_MESHES && (id & TRIANGLE_BIT) != 0u {
         let surface = mesh_surface(id & ~TRIANGLE_BIT, vec2f(px) + 0.5);
         let object = parts[surface.part].object;
-        return Seen(object, 1.0, surface.normal, mix(vec3f(1.0), surface.colour, styles[object].material));
+        return Seen(object, 1.0, surface.normal, mix(vec3f(1.0), surface.colour.rgb, styles[object].material));
     }
     let puff = puffs[id - 1u];
     let normal = normal_at(px, distance);

@@ -2,6 +2,8 @@
 
 use std::f32::consts::PI;
 
+use fumetto_formats::{Image, write_png};
+
 use crate::{
     models::{ball, square},
     stage::{BACKGROUND, Files, PX_PER_METRE, Picture, Rgb, SIDE, Stage, style},
@@ -108,10 +110,58 @@ fn every_copy_is_drawn() {
 fn materials_multiply_tones() {
     let obj = format!("mtllib paint.mtl\nusemtl red\n{}", square(1.0));
     let mtl = "newmtl red\nKd 1 0.25 0\n";
-    // A quarter of the light is #89 in sRGB.
-    assert_eq!(one_square("", &obj, mtl).rgb(SIDE / 2, SIDE / 2), [255, 137, 0]);
+    // Colours of an OBJ file are sRGB.
+    assert_eq!(one_square("", &obj, mtl).rgb(SIDE / 2, SIDE / 2), [255, 64, 0]);
     let plain = one_square("style = { material = 0 }", &obj, mtl);
     assert_eq!(plain.rgb(SIDE / 2, SIDE / 2), [255; 3]);
+}
+
+/// A square of 8 by 8 metres with four pixels on it, of which the last has a hole.
+fn painted_square(mtl: &str) -> Picture {
+    let colours = [[255, 0, 0, 255], [0, 255, 0, 255], [0, 0, 255, 255], [255, 255, 255, 0]];
+    let pixels = (0..64).flat_map(|at: usize| colours[2 * (at / 32) + at % 8 / 4]).collect();
+    let mut png = Vec::new();
+    write_png(&Image { width: 8, height: 8, pixels }, &mut png).unwrap();
+    let obj = format!("mtllib paint.mtl\nusemtl paint\n{}", square(4.0));
+    let files = Files::default().with("square.obj", obj).with("paint.mtl", mtl).with("paint.png", png);
+    Stage::default().mesh("square", "square.obj", "").picture_with(files)
+}
+
+#[test]
+fn textures_lie_as_in_their_file() {
+    let picture = painted_square("newmtl paint\nmap_Kd paint.png\n");
+    let (left, right) = (SIDE / 4, 3 * SIDE / 4);
+    let corners =
+        [(left, left), (right, left), (left, right), (right, right)].map(|(x, y)| picture.rgb(x, y));
+    assert_eq!(corners, [[255, 0, 0], [0, 255, 0], [0, 0, 255], [255; 3]]);
+}
+
+#[test]
+fn textures_cut_holes() {
+    let picture = painted_square("newmtl paint\nmap_Kd paint.png\nmap_d paint.png\n");
+    let (left, right) = (SIDE / 4, 3 * SIDE / 4);
+    assert_eq!(picture.rgb(left, right), [0, 0, 255]);
+    assert_eq!(picture.rgb(right, right), BACKGROUND);
+}
+
+#[test]
+fn a_single_sided_surface_is_seen_from_its_front() {
+    // The file says that its square has two sides, until the key is one that nobody knows.
+    let mut glb =
+        include_bytes!("../../../fumetto-formats/tests/fixtures/models/trimesh-square.glb").to_vec();
+    let key = b"doubleSided";
+    let at = glb.windows(key.len()).position(|window| window == key).unwrap();
+    glb[at..at + key.len()].copy_from_slice(b"doubleSidez");
+    let drawn = |degrees: u32| {
+        let turned = format!("transform = {{ rotation = [0, {degrees}, 0] }}");
+        let stage = Stage::default().mesh("square", "square.glb", &turned);
+        stage.picture_with(Files::default().with("square.glb", glb.clone())).drawn()
+    };
+    assert!((drawn(0) > 0) != (drawn(180) > 0), "{} pixels in front, {} behind", drawn(0), drawn(180));
+    let obj = |degrees: u32| {
+        one_square(&format!("transform = {{ rotation = [0, {degrees}, 0] }}"), &square(1.0), "")
+    };
+    assert_eq!(obj(0).drawn(), obj(180).drawn(), "surfaces of OBJ files have two sides");
 }
 
 #[test]

@@ -9,19 +9,24 @@ use crate::{
 /// The long-lived pipeline.
 #[derive(Debug)]
 pub(crate) struct Body {
-    pipeline: wgpu::RenderPipeline,
+    /// For whole surfaces, and for those with holes.
+    pipelines: [wgpu::RenderPipeline; 2],
 }
 
 impl Body {
     pub(crate) fn new(gpu: &Gpu) -> Self {
         let module = gpu.device.create_shader_module(shader!("shapes/mesh/body"));
-        let pipeline = RasterPipeline {
-            label: "shapes.mesh.body",
-            targets: &[layers::ID_FORMAT],
-            depth: Some(layers::nearest_wins()),
-            ..Default::default()
-        };
-        Self { pipeline: pipeline.build(&gpu.device, &module) }
+        let pipelines = [0.0, 1.0].map(|has_holes| {
+            let pipeline = RasterPipeline {
+                label: "shapes.mesh.body",
+                targets: &[layers::ID_FORMAT],
+                depth: Some(layers::nearest_wins()),
+                constants: &[("HAS_HOLES", has_holes)],
+                ..Default::default()
+            };
+            pipeline.build(&gpu.device, &module)
+        });
+        Self { pipelines }
     }
 
     /// Draws the triangles of the objects that `members` numbers over what `target` holds.
@@ -39,12 +44,16 @@ impl Body {
         }
         frame.raster(
             "shapes.mesh.body",
-            &self.pipeline,
+            &self.pipelines[usize::from(meshes.has_holes)],
             target,
             &[
                 subject.view.as_entire_binding(),
+                meshes.sources.as_entire_binding(),
                 meshes.vertices.as_entire_binding(),
                 meshes.triangles.as_entire_binding(),
+                meshes.parts.as_entire_binding(),
+                wgpu::BindingResource::TextureView(&meshes.textures),
+                wgpu::BindingResource::Sampler(&meshes.sampler),
             ],
             |pass| {
                 for range in ranges() {

@@ -37,8 +37,10 @@ pub(crate) struct Part {
     pub(crate) object: u32,
     pub(crate) material: u32,
     texture: i32,
-    wrap: u32,
+    look: u32,
 }
+
+const DOUBLE_SIDED: u32 = 16;
 
 /// All models of a scene, copies counted singly.
 #[derive(Debug, Default)]
@@ -49,6 +51,8 @@ pub(crate) struct Geometry {
     pub(crate) textures: Vec<Image>,
     /// Each object's triangles, by its number.
     pub(crate) objects: Vec<Range<u32>>,
+    /// Whether a texture cuts holes into any of them.
+    pub(crate) has_holes: bool,
     materials: u32,
 }
 
@@ -66,6 +70,7 @@ impl Geometry {
         for (placed, world_from_part) in placements(mesh, model, 0.0) {
             self.add_part(model, &placed, world_from_part, object);
         }
+        self.has_holes |= model.materials.iter().any(|material| material.alpha_cutoff.is_some());
         self.textures.extend(model.textures.iter().cloned());
         self.materials += model.materials.len() as u32;
         self.objects.push(first_triangle..self.triangles.len() as u32);
@@ -83,7 +88,7 @@ impl Geometry {
             object,
             material: self.materials + part.material as u32,
             texture: material.texture.map_or(-1, |texture| (self.textures.len() + texture.image) as i32),
-            wrap: wrap_bits(material),
+            look: look(material),
         });
         self.sources.extend((0..part.positions.len()).map(|i| Source {
             position: part.positions[i],
@@ -122,7 +127,7 @@ fn placements<'a>(
         let world_from_model = matrix(copy) * up;
         let place = |placed: &Placed| {
             let world_from_part = world_from_model * Mat4::from_cols_array_2d(&placed.world_from_part);
-            (placed.clone(), world_from_part)
+            (*placed, world_from_part)
         };
         placed.iter().map(place).collect::<Vec<_>>()
     })
@@ -149,13 +154,18 @@ fn halves(colour: [f32; 4]) -> [u32; 2] {
     [r | (g << 16), b | (a << 16)]
 }
 
-fn wrap_bits(material: &Material) -> u32 {
+/// How a material's texture goes on, and where its surface is to be seen.
+fn look(material: &Material) -> u32 {
     let bits = |wrap| match wrap {
         Wrap::Repeat => 0,
         Wrap::Mirror => 1,
         Wrap::Clamp => 2,
     };
-    material.texture.map_or(0, |texture| bits(texture.wrap[0]) | (bits(texture.wrap[1]) << 2))
+    let wrap = material.texture.map_or(0, |texture| bits(texture.wrap[0]) | (bits(texture.wrap[1]) << 2));
+    let double_sided = if material.double_sided { DOUBLE_SIDED } else { 0 };
+    // A cutoff of 1 leaves what is opaque.
+    let cutoff = (material.alpha_cutoff.unwrap_or(0.0).clamp(0.0, 1.0) * 65535.0) as u32;
+    wrap | double_sided | (cutoff << 16)
 }
 
 #[cfg(test)]
@@ -165,7 +175,7 @@ mod tests {
 
     layout_test!(sources_lie_as_their_twin: Source, "Source" of "shapes/mesh/place" { position, normal, uv, colour, part });
 
-    layout_test!(parts_lie_as_their_twin: Part, "Part" of "shapes/mesh/place" { world_from_part, colour, object, material, texture, wrap });
+    layout_test!(parts_lie_as_their_twin: Part, "Part" of "shapes/mesh/place" { world_from_part, colour, object, material, texture, look });
 
     layout_test!(triangles_lie_as_their_twin: Triangle, "Triangle" of "shapes/mesh/body" { corners, part });
 }

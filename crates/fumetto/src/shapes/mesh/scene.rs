@@ -26,6 +26,8 @@ pub(crate) struct MeshScene {
     pub(crate) sampler: wgpu::Sampler,
     /// Each object's triangles, by its number.
     pub(crate) objects: Vec<Range<u32>>,
+    /// Whether a texture cuts holes into any of them.
+    pub(crate) has_holes: bool,
 }
 
 /// A model is too large for the device.
@@ -69,6 +71,7 @@ impl MeshScene {
             textures,
             sampler,
             objects: geometry.objects.clone(),
+            has_holes: geometry.has_holes,
         };
         gpu.queue.write_buffer(&scene.sources, 0, bytemuck::cast_slice(sources));
         gpu.queue.write_buffer(&scene.triangles, 0, bytemuck::cast_slice(triangles));

@@ -3,8 +3,8 @@
 struct MeshSurface {
     // Unit length, on the side that is seen.
     normal: vec3f,
-    // Linear.
-    colour: vec3f,
+    // Linear; straight alpha.
+    colour: vec4f,
     part: u32,
 }
 
@@ -28,7 +28,7 @@ fn wrapped(at: f32, way: u32) -> f32 {
 // Colour of a texture at three places: the pixel's, and its neighbours' to the right and below, which say
 // how finely it is seen.
 fn texture_at(part: Part, uv: vec2f, right: vec2f, below: vec2f) -> vec4f {
-    let at = vec2f(wrapped(uv.x, part.wrap & 3u), wrapped(uv.y, part.wrap >> 2u));
+    let at = vec2f(wrapped(uv.x, part.look & 3u), wrapped(uv.y, (part.look >> 2u) & 3u));
     return textureSampleGrad(textures, textures_sampler, at, max(part.texture, 0), right - uv, below - uv);
 }
 
@@ -53,7 +53,7 @@ fn mesh_surface(number: u32, px: vec2f) -> MeshSurface {
         let below = corner_weights(a.position, b.position, c.position, world_ray(px + vec2f(0.0, 1.0)));
         colour *= texture_at(part, uvs * weights, uvs * right, uvs * below);
     }
-    return MeshSurface(normal, colour.rgb, triangle.part);
+    return MeshSurface(normal, colour, triangle.part);
 }
 
 fn source_colour(source: Source) -> vec4f {
