@@ -57,3 +57,41 @@ pub(crate) fn read_jpeg(name: &str, bytes: &[u8]) -> Result<Image, FormatError> 
     }
     Ok(Image { width, height, pixels })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const FOUR_QUARTERS: &[u8] = include_bytes!("../tests/fixtures/models/my textures/four quarters.jpg");
+
+    /// The picture with another height and width in its frame header (ITU-T T.81, section B.2.2).
+    fn resized(height: u16, width: u16) -> Vec<u8> {
+        let mut bytes = FOUR_QUARTERS.to_vec();
+        let is_header = |marker: &[u8]| marker == [0xff, 0xc0] || marker == [0xff, 0xc2];
+        let header = bytes.windows(2).position(is_header).expect("a frame");
+        bytes[header + 5..header + 7].copy_from_slice(&height.to_be_bytes());
+        bytes[header + 7..header + 9].copy_from_slice(&width.to_be_bytes());
+        bytes
+    }
+
+    fn message(bytes: &[u8]) -> String {
+        read_jpeg("a.jpg", bytes).expect_err("not a whole picture").to_string()
+    }
+
+    #[test]
+    fn every_pixel_has_four_channels() {
+        let image = read_jpeg("a.jpg", FOUR_QUARTERS).expect("a whole picture");
+        assert_eq!((image.width, image.height, image.pixels.len()), (32, 32, 4 * 32 * 32));
+        assert!(image.rgba().all(|[.., alpha]| alpha == u8::MAX));
+    }
+
+    #[test]
+    fn sizes_are_held_against_the_limit_and_the_bytes() {
+        let expected =
+            "a.jpg: 8193 × 32 pixels are more than the 8192 × 8192 that are allowed; scale the picture down";
+        assert_eq!(message(&resized(32, 8193)), expected);
+        let few = message(&resized(8192, 8192));
+        assert!(few.contains("bytes are too few for the 8192 × 8192 pixels"), "{few}");
+        assert!(message(b"\xff\xd8").starts_with("a.jpg: not a readable JPEG"));
+    }
+}

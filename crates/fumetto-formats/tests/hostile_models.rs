@@ -86,6 +86,16 @@ fn a_chain_of_a_hundred_thousand_nodes_is_no_deeper_than_others() {
 }
 
 #[test]
+fn more_objects_than_fit_into_memory_are_refused_before_they_are_read() {
+    let many =
+        refusal(&[(r#""nodes":[{"name""#, &format!(r#""nodes":[{}{{"name""#, "{},".repeat(1_000_000)))]);
+    assert!(
+        many.starts_with("m/a.gltf: it has 1000012 objects, more than the 1000000 that are allowed"),
+        "{many}"
+    );
+}
+
+#[test]
 fn counts_are_held_against_the_bytes_before_anything_is_allocated() {
     let cases = [
         (

@@ -132,7 +132,10 @@ impl<'a> Document<'a> {
             if before.is_some_and(|before| place <= before) || place >= total {
                 return Err(self.wrong(
                     element,
-                    format!("its sparse index {place} does not follow the one before, or is past the last item; export the model again"),
+                    format!(
+                        "its sparse index {place} does not follow the one before, or is past the last item; \
+                         export the model again"
+                    ),
                 ));
             }
             before = Some(place);

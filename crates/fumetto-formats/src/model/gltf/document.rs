@@ -38,6 +38,10 @@ const KNOWN_EXTENSIONS: [&str; 18] = [
 /// 50 bones at every frame, and 270 MB. Small files get beyond by having many accessors share their bytes.
 const MAX_ITEMS: u64 = 1 << 24;
 
+/// Most objects in the JSON: two hundred times what large scenes have. Each may take some 450 bytes of
+/// memory, though `{}` is written with two.
+const MAX_OBJECTS: usize = 1_000_000;
+
 /// A glTF document with its buffers.
 pub(super) struct Document<'a> {
     pub(super) path: &'a str,
@@ -54,6 +58,7 @@ impl<'a> Document<'a> {
         notes: &mut Notes,
     ) -> Result<Self, FormatError> {
         let container = Container::split(path, bytes)?;
+        check_objects(path, container.json)?;
         let root: Root = gltf_json::deserialize::from_slice(container.json).map_err(|error| {
             let error = excerpt_of_error(&error.to_string());
             let problem = format!("not a readable glTF 2.0 document ({error}); export it again as glTF 2.0");
@@ -181,6 +186,19 @@ impl<'a> Document<'a> {
         self.items_left.set(left);
         Ok(())
     }
+}
+
+/// Refuses JSON of more objects than fit into a reasonable memory, before it is read.
+fn check_objects(file: &str, json: &[u8]) -> Result<(), FormatError> {
+    // Those in names count, too, which hurts nobody.
+    let objects = json.iter().filter(|&&byte| byte == b'{').count();
+    if objects <= MAX_OBJECTS {
+        return Ok(());
+    }
+    let problem = format!(
+        "it has {objects} objects, more than the {MAX_OBJECTS} that are allowed; join meshes, or split the model"
+    );
+    Err(FormatError::Malformed { file: file.to_owned(), position: None, problem })
 }
 
 /// `length` bytes from `offset`, if there are so many.
