@@ -76,12 +76,12 @@ const PROGRAMS: &[(&str, &[&str])] = &[
             "shapes/puffs/visible",
             "light/lights",
             "light/sweep",
+            "light/casting",
             "light/casters",
         ],
     ),
-    ("light/flatten", &["gpu/fullscreen", "light/flatten"]),
     (
-        "light/volume",
+        "light/cast",
         &[
             "gpu/view",
             "object",
@@ -89,10 +89,11 @@ const PROGRAMS: &[(&str, &[&str])] = &[
             "shapes/puffs/billboard",
             "light/lights",
             "light/sweep",
-            "light/volume",
+            "light/casting",
+            "light/cast",
         ],
     ),
-    ("light/shadowed", &["gpu/fullscreen", "light/shadowed"]),
+    ("light/shadowed", &["gpu/fullscreen", "light/casting", "light/shadowed"]),
     ("light/settle", &["gpu/fullscreen", "light/settle"]),
     ("light/soften", &["gpu/fullscreen", "light/soften"]),
     (

@@ -8,7 +8,7 @@ use crate::{
     gpu::{Compact, DrawList, Frame, Gpu, Listing, TexturePool, Transient, View},
     ink::{Gather, Outline},
     layers::Layers,
-    light::{LightsUniform, SHADOW_QUADS, Shadows, Soften, Stencil},
+    light::{Casting, LightsUniform, Shadows, Soften},
     object::ObjectStyle,
     proof::Proof,
     shapes::mesh,
@@ -194,8 +194,8 @@ impl Painter {
         room: &Room,
         layers: &Layers,
     ) -> Transient {
-        let step = setting.stencil_step();
-        let stencil = Stencil {
+        let step = setting.shadow_step();
+        let casting = Casting {
             compact: &self.compact,
             flags: &room.flags,
             list: &room.list,
@@ -203,7 +203,7 @@ impl Painter {
             step,
             settle: (SETTLE * setting.clean_px() / step as f32).round() as u32,
         };
-        self.shadows.record(frame, subject, &setting.lights, layers, &stencil)
+        self.shadows.record(frame, subject, &setting.lights, layers, &casting)
     }
 
     /// Paints flat colours.
@@ -241,7 +241,7 @@ impl Painter {
                     usage: wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC,
                     mapped_at_creation: false,
                 }),
-                list: DrawList::new(gpu, "frame.list", scene.count, SHADOW_QUADS.max(QUADS)),
+                list: DrawList::new(gpu, "frame.list", scene.count, QUADS),
                 inks: DrawList::new(gpu, "frame.inks", scene.count, QUADS),
             });
         }
@@ -261,8 +261,8 @@ impl Setting<'_> {
         objects.map(|object| style(object).shortest_line_px()).fold(0.0, f32::max)
     }
 
-    /// Samples to one of the stencil's: shadows need not be finer than the least tone.
-    fn stencil_step(&self) -> u32 {
+    /// Samples to a texel of the shadow mask: shadows need not be finer than the least tone.
+    fn shadow_step(&self) -> u32 {
         match self.clean_px() {
             fine if fine < 1.5 => 1,
             medium if medium < 3.0 => 2,
