@@ -15,7 +15,7 @@
 @group(0) @binding(5) var<storage, read> list: array<u32>;
 // The sixth is how many are listed.
 @group(0) @binding(6) var<storage, read> draw: array<u32, 6>;
-@group(0) @binding(7) var<storage, read> styles: array<ObjectStyle>;
+@group(0) @binding(7) var<uniform> styles: array<ObjectStyle, MAX_OBJECTS>;
 @group(0) @binding(8) var atlas_texture: texture_2d<f32>;
 @group(0) @binding(9) var depth_layer: texture_depth_2d;
 @group(0) @binding(10) var<storage, read_write> mask: array<atomic<u32>>;

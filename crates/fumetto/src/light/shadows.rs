@@ -61,9 +61,9 @@ struct CastingUniform {
 impl Shadows {
     pub(crate) fn new(gpu: &Gpu) -> Self {
         use Slot::{Depth, Read, Texture, Uniform, Write};
-        let slots = [Uniform, Uniform, Uniform, Uniform, Read, Read, Read, Write];
+        let slots = [Uniform, Uniform, Uniform, Uniform, Read, Uniform, Read, Write];
         let [casters] = kernels(gpu, shader!("light/casters"), &slots, ["main"]);
-        let slots = [Uniform, Uniform, Uniform, Uniform, Read, Read, Read, Read, Texture, Depth, Write];
+        let slots = [Uniform, Uniform, Uniform, Uniform, Read, Read, Read, Uniform, Texture, Depth, Write];
         let [small, large] = kernels(gpu, shader!("light/cast"), &slots, ["small", "large"]);
         let raster = |label, program| {
             let module = gpu.device.create_shader_module(program);

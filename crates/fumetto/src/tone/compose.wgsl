@@ -15,7 +15,7 @@ struct Compose {
 }
 
 @group(0) @binding(0) var<uniform> compose: Compose;
-@group(0) @binding(1) var<storage, read> styles: array<ObjectStyle>;
+@group(0) @binding(1) var<uniform> styles: array<ObjectStyle, MAX_OBJECTS>;
 @group(0) @binding(2) var cel: texture_2d<f32>;
 @group(0) @binding(3) var ink: texture_2d<u32>;
 @group(0) @binding(4) var around: texture_2d<f32>;

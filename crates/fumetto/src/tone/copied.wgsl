@@ -2,7 +2,7 @@
 // darkest tone takes their place.
 
 @group(0) @binding(1) var<storage, read> puffs: array<Puff>;
-@group(0) @binding(2) var<storage, read> styles: array<ObjectStyle>;
+@group(0) @binding(2) var<uniform> styles: array<ObjectStyle, MAX_OBJECTS>;
 @group(0) @binding(3) var id_layer: texture_2d<u32>;
 @group(0) @binding(4) var sprites: texture_2d<f32>;
 @group(0) @binding(5) var ramps: texture_2d<f32>;

@@ -12,7 +12,7 @@ struct Sampling {
 @group(0) @binding(1) var<uniform> sampling: Sampling;
 @group(0) @binding(2) var<uniform> lights: Lights;
 @group(0) @binding(3) var<storage, read> puffs: array<Puff>;
-@group(0) @binding(4) var<storage, read> styles: array<ObjectStyle>;
+@group(0) @binding(4) var<uniform> styles: array<ObjectStyle, MAX_OBJECTS>;
 @group(0) @binding(5) var id_layer: texture_2d<u32>;
 @group(0) @binding(6) var depth_layer: texture_depth_2d;
 @group(0) @binding(7) var normals: texture_2d<f32>;
