@@ -155,7 +155,20 @@ const PROGRAMS: &[(&str, &[&str])] = &[
             "tone/copied",
         ],
     ),
-    ("tone/compose", &["gpu/fullscreen", "object", "tone/srgb", "tone/compose"]),
+    (
+        "tone/compose",
+        &[
+            "gpu/fullscreen",
+            "object",
+            "tone/srgb",
+            "tone/composing",
+            "tone/line",
+            "tone/under",
+            "tone/compose",
+        ],
+    ),
+    ("tone/lay", &["gpu/fullscreen", "tone/composing", "tone/under", "tone/lay"]),
+    ("tone/lines", &["object", "tone/composing", "tone/line", "tone/lines"]),
 ];
 
 /// What every `WebGPU` adapter can do: `pack2x16float` counts as a capability of its own here.

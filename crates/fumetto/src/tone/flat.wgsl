@@ -4,6 +4,9 @@
 // Whether any pixel may show a triangle.
 override HAS_MESHES: bool = false;
 
+// Whether this paints straight into the picture, where nothing is half transparent.
+override IS_PICTURE: bool = false;
+
 struct Sampling {
     // Pixels of the picture to one texel of the normal layer.
     step: i32,
@@ -90,5 +93,5 @@ fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
     if HAS_MESHES && any(abs(seen.colour - 1.0) > vec3f(1e-3)) {
         colour = encoded(decoded(colour) * seen.colour);
     }
-    return vec4f(colour, style.opacity * seen.opacity);
+    return vec4f(colour, select(style.opacity * seen.opacity, 1.0, IS_PICTURE));
 }
