@@ -79,12 +79,12 @@ const PROGRAMS: &[(&str, &[&str])] = &[
             "shapes/puffs/visible",
             "light/lights",
             "light/sweep",
+            "light/casting",
             "light/casters",
         ],
     ),
-    ("light/flatten", &["gpu/fullscreen", "light/flatten"]),
     (
-        "light/volume",
+        "light/cast",
         &[
             "gpu/view",
             "object",
@@ -92,10 +92,11 @@ const PROGRAMS: &[(&str, &[&str])] = &[
             "shapes/puffs/billboard",
             "light/lights",
             "light/sweep",
-            "light/volume",
+            "light/casting",
+            "light/cast",
         ],
     ),
-    ("light/shadowed", &["gpu/fullscreen", "light/shadowed"]),
+    ("light/shadowed", &["gpu/fullscreen", "light/casting", "light/shadowed"]),
     ("light/settle", &["gpu/fullscreen", "light/settle"]),
     ("light/soften", &["gpu/fullscreen", "light/soften"]),
     (
@@ -157,7 +158,20 @@ const PROGRAMS: &[(&str, &[&str])] = &[
             "tone/copied",
         ],
     ),
-    ("tone/compose", &["gpu/fullscreen", "object", "tone/srgb", "tone/compose"]),
+    (
+        "tone/compose",
+        &[
+            "gpu/fullscreen",
+            "object",
+            "tone/srgb",
+            "tone/composing",
+            "tone/line",
+            "tone/under",
+            "tone/compose",
+        ],
+    ),
+    ("tone/lay", &["gpu/fullscreen", "tone/composing", "tone/under", "tone/lay"]),
+    ("tone/lines", &["object", "tone/composing", "tone/line", "tone/lines"]),
 ];
 
 /// What every `WebGPU` adapter can do: `pack2x16float` counts as a capability of its own here.

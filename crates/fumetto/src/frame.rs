@@ -8,12 +8,12 @@ use crate::{
     gpu::{Compact, DrawList, Frame, Gpu, Listing, TexturePool, Transient, View},
     ink::{Gather, Outline},
     layers::Layers,
-    light::{LightsUniform, SHADOW_QUADS, Shadows, Soften, Stencil},
+    light::{Casting, LightsUniform, Shadows, Soften},
     object::ObjectStyle,
     proof::Proof,
     shapes::mesh,
     shapes::puffs::{Body, FRONT, Form, INK, Normal, Occlusion, PuffScene, Pyramid, QUADS, REST, Subject},
-    tone::{CEL_FORMAT, Compose, Copied, Flat, InkedCel, Sprites, Under},
+    tone::{CEL_FORMAT, Canvas, Compose, Copied, Flat, Inked, Sprites, Under},
 };
 
 /// Shadows are cleaned over this many times the length that tones are: their specks come of single puffs,
@@ -154,11 +154,21 @@ impl Painter {
 
         let layers = self.fill(frame, subject, room, (&cel.members, setting.view.size), opaque);
         let shadow = self.shadow(frame, subject, setting, room, &layers);
-        let painted = self.tone(frame, subject, setting, cel, (&layers, &shadow));
+        // Where nothing is averaged or half transparent, tones go straight into the picture.
+        let own = (setting.samples > 1 || opaque.is_some())
+            .then(|| frame.texture("tone.cel", layers.size, CEL_FORMAT));
+        let canvas = Canvas { view: own.as_deref().unwrap_or(target), is_picture: own.is_none() };
+        if canvas.is_picture {
+            self.compose.lay(frame, under, layers.size, target);
+        }
+        self.tone(frame, subject, setting, cel, (&layers, &shadow), canvas);
         let ink = self.outline.record(frame, subject, &room.inks, &layers);
         let around = self.gather.record(frame, &ink, layers.size, setting.ink_length_px());
-        let inked = InkedCel { cel: &painted, ink: &ink, around: &around };
-        self.compose.record(frame, subject, inked, under, (setting.samples, opaque.is_none()), target);
+        let inked = Inked { ink: &ink, around: &around };
+        match own {
+            Some(own) => self.compose.record(frame, subject, (&own, inked), under, setting.samples, target),
+            None => self.compose.lines(frame, subject, inked, layers.size, target),
+        }
         layers
     }
 
@@ -194,8 +204,8 @@ impl Painter {
         room: &Room,
         layers: &Layers,
     ) -> Transient {
-        let step = setting.stencil_step();
-        let stencil = Stencil {
+        let step = setting.shadow_step();
+        let casting = Casting {
             compact: &self.compact,
             flags: &room.flags,
             list: &room.list,
@@ -203,10 +213,10 @@ impl Painter {
             step,
             settle: (SETTLE * setting.clean_px() / step as f32).round() as u32,
         };
-        self.shadows.record(frame, subject, &setting.lights, layers, &stencil)
+        self.shadows.record(frame, subject, &setting.lights, layers, &casting)
     }
 
-    /// Paints flat colours.
+    /// Paints flat colours onto `canvas`.
     fn tone(
         &self,
         frame: &mut Frame<'_>,
@@ -214,11 +224,12 @@ impl Painter {
         setting: &Setting<'_>,
         cel: &Cel,
         (layers, shadow): (&Layers, &Transient),
-    ) -> Transient {
+        canvas: Canvas<'_>,
+    ) {
         let ramps = &setting.player.ramps;
         if cel.pre_shaded {
             let sprites = self.sprites.record(frame, subject, ramps);
-            return self.copied.record(frame, subject, layers, shadow, &sprites, ramps);
+            return self.copied.record(frame, subject, (layers, shadow), &sprites, ramps, canvas);
         }
         let step = if setting.clean_px() >= 2.0 { 2 } else { 1 };
         let radius = (setting.clean_px() / step as f32).round() as u32;
@@ -226,7 +237,7 @@ impl Painter {
         let normal = self.normal.record(frame, subject, layers, step);
         let normal =
             if radius == 0 { normal } else { self.soften.record(frame, &setting.view, normal, radius, step) };
-        self.flat.record(frame, subject, layers, (&normal, shadow), step, ramps)
+        self.flat.record(frame, subject, layers, (&normal, shadow), (step, ramps), canvas);
     }
 
     fn make_room(&mut self, gpu: &Gpu, scene: &PuffScene, size: [u32; 2]) {
@@ -241,7 +252,7 @@ impl Painter {
                     usage: wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC,
                     mapped_at_creation: false,
                 }),
-                list: DrawList::new(gpu, "frame.list", scene.count, SHADOW_QUADS.max(QUADS)),
+                list: DrawList::new(gpu, "frame.list", scene.count, QUADS),
                 inks: DrawList::new(gpu, "frame.inks", scene.count, QUADS),
             });
         }
@@ -261,8 +272,8 @@ impl Setting<'_> {
         objects.map(|object| style(object).shortest_line_px()).fold(0.0, f32::max)
     }
 
-    /// Samples to one of the stencil's: shadows need not be finer than the least tone.
-    fn stencil_step(&self) -> u32 {
+    /// Samples to a texel of the shadow mask: shadows need not be finer than the least tone.
+    fn shadow_step(&self) -> u32 {
         match self.clean_px() {
             fine if fine < 1.5 => 1,
             medium if medium < 3.0 => 2,

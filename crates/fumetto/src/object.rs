@@ -1,6 +1,6 @@
 //! How each object is drawn, as shaders take it.
 
-use fumetto_scene::{Object, Width};
+use fumetto_scene::{Object, Width, limits};
 
 /// `ObjectStyle` of `object.wgsl`.
 #[repr(C)]
@@ -25,6 +25,11 @@ pub(crate) struct ObjectStyle {
     material: f32,
     pad: f32,
 }
+
+/// Objects that there is room for. Also in `object.wgsl`.
+pub(crate) const MAX_OBJECTS: usize = 64;
+
+const _: () = assert!(limits::MAX_OBJECTS <= MAX_OBJECTS, "every object of a scene has a style");
 
 const HAS_INK: u32 = 1;
 const THROWS_SHADOW: u32 = 2;

@@ -1,4 +1,5 @@
-// How one object is drawn; an array of these, by the object's number, goes with every frame.
+// How one object is drawn; an array of these, by the object's number, goes with every frame. It is uniform:
+// software rasterisers read it several times faster than storage.
 struct ObjectStyle {
     ink_colour: vec3f,
     // Width of an outline: the larger of the two counts.
@@ -29,3 +30,6 @@ struct ObjectStyle {
 const HAS_INK: u32 = 1u;
 const THROWS_SHADOW: u32 = 2u;
 const IN_CEL: u32 = 4u;
+
+// Objects that there is room for.
+const MAX_OBJECTS: u32 = 64u;

@@ -20,8 +20,8 @@ pub(crate) struct Compact {
 pub(crate) struct DrawList {
     /// The items' numbers, rising.
     pub(crate) items: wgpu::Buffer,
-    /// Arguments of an indirect draw.
-    draw: wgpu::Buffer,
+    /// Arguments of an indirect draw; then how many items are listed.
+    pub(crate) draw: wgpu::Buffer,
     /// Two triangles for every four corners.
     indices: wgpu::Buffer,
     before: wgpu::Buffer,
@@ -60,7 +60,7 @@ impl DrawList {
         };
         Self {
             items: buffer(capacity, wgpu::BufferUsages::COPY_SRC),
-            draw: buffer(5, wgpu::BufferUsages::INDIRECT | wgpu::BufferUsages::COPY_SRC),
+            draw: buffer(6, wgpu::BufferUsages::INDIRECT | wgpu::BufferUsages::COPY_SRC),
             indices: quad_indices(gpu, (capacity * quads).max(1)),
             before: buffer(capacity.div_ceil(RUN), wgpu::BufferUsages::empty()),
         }

@@ -16,8 +16,8 @@ const RUN: u32 = 32u;
 // Flagged items before each run.
 @group(0) @binding(2) var<storage, read_write> before: array<u32>;
 @group(0) @binding(3) var<storage, read_write> list: array<u32>;
-// Indices, instances, first index, base vertex, first instance.
-@group(0) @binding(4) var<storage, read_write> draw: array<u32, 5>;
+// Indices, instances, first index, base vertex, first instance; then how many are listed.
+@group(0) @binding(4) var<storage, read_write> draw: array<u32, 6>;
 
 fn run_of(group: vec3u, groups: vec3u, lane: u32) -> u32 {
     return (group.y * groups.x + group.x) * 256u + lane;
@@ -64,7 +64,7 @@ fn scan(@builtin(local_invocation_index) lane: u32) {
         total += count;
     }
     if lane == 255u {
-        draw = array(total * compaction.quads * 6u, 1u, 0u, 0u, 0u);
+        draw = array(total * compaction.quads * 6u, 1u, 0u, 0u, 0u, total);
     }
 }
 

@@ -14,20 +14,24 @@ pub(crate) enum Slot {
     WriteTexture3d,
     /// A depth texture that is read.
     Depth,
+    /// A texture of floats that is read.
+    Texture,
 }
 
 impl Slot {
     fn binding_type(self) -> wgpu::BindingType {
         let buffer = |ty| wgpu::BindingType::Buffer { ty, has_dynamic_offset: false, min_binding_size: None };
+        let texture = |sample_type| wgpu::BindingType::Texture {
+            sample_type,
+            view_dimension: wgpu::TextureViewDimension::D2,
+            multisampled: false,
+        };
         match self {
             Self::Uniform => buffer(wgpu::BufferBindingType::Uniform),
             Self::Read => buffer(wgpu::BufferBindingType::Storage { read_only: true }),
             Self::Write => buffer(wgpu::BufferBindingType::Storage { read_only: false }),
-            Self::Depth => wgpu::BindingType::Texture {
-                sample_type: wgpu::TextureSampleType::Depth,
-                view_dimension: wgpu::TextureViewDimension::D2,
-                multisampled: false,
-            },
+            Self::Depth => texture(wgpu::TextureSampleType::Depth),
+            Self::Texture => texture(wgpu::TextureSampleType::Float { filterable: true }),
             Self::WriteTexture3d => wgpu::BindingType::StorageTexture {
                 access: wgpu::StorageTextureAccess::WriteOnly,
                 format: wgpu::TextureFormat::Rgba16Float,

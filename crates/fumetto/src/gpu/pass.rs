@@ -14,7 +14,7 @@ pub(crate) struct Frame<'a> {
 pub(crate) struct Target<'a> {
     /// Colour attachments with what they are cleared to; `None` keeps what is there.
     pub(crate) colours: Vec<(&'a wgpu::TextureView, Option<wgpu::Color>)>,
-    /// Depth and stencil.
+    /// Depth.
     pub(crate) depth: Option<wgpu::RenderPassDepthStencilAttachment<'a>>,
 }
 
@@ -31,23 +31,6 @@ impl<'a> Target<'a> {
             view,
             depth_ops: Some(wgpu::Operations { load, store: wgpu::StoreOp::Store }),
             stencil_ops: None,
-        });
-        self
-    }
-
-    /// Adds a depth and stencil attachment; what they are cleared to, `None` keeps.
-    pub(crate) fn with_stencil(
-        mut self,
-        view: &'a wgpu::TextureView,
-        clear_depth: Option<f32>,
-        clear_stencil: Option<u32>,
-    ) -> Self {
-        let depth = clear_depth.map_or(wgpu::LoadOp::Load, wgpu::LoadOp::Clear);
-        let stencil = clear_stencil.map_or(wgpu::LoadOp::Load, wgpu::LoadOp::Clear);
-        self.depth = Some(wgpu::RenderPassDepthStencilAttachment {
-            view,
-            depth_ops: Some(wgpu::Operations { load: depth, store: wgpu::StoreOp::Store }),
-            stencil_ops: Some(wgpu::Operations { load: stencil, store: wgpu::StoreOp::Store }),
         });
         self
     }
@@ -89,6 +72,16 @@ impl<'a> Frame<'a> {
             label: Some(label),
             contents: bytemuck::cast_slice(items),
             usage: wgpu::BufferUsages::STORAGE,
+        })
+    }
+
+    /// A storage buffer of zeros that lives for this frame.
+    pub(crate) fn zeros(&self, label: &str, words: u32) -> wgpu::Buffer {
+        self.gpu.device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some(label),
+            size: u64::from(words.max(1)) * 4,
+            usage: wgpu::BufferUsages::STORAGE,
+            mapped_at_creation: false,
         })
     }
 

@@ -2,7 +2,11 @@
 
 use crate::gpu::{Frame, Gpu, RasterPipeline, Target, Transient, shader};
 
-const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::R8Unorm;
+/// Share of a cell that is inked; then 1 where any of it is.
+const SHARE_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rg8Unorm;
+
+/// Mean share of the cells around one.
+const AROUND_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::R8Unorm;
 
 /// Cells to each side of the window. Also in `around.wgsl`.
 const WINDOW_CELLS: u32 = 5;
@@ -18,6 +22,8 @@ pub(crate) struct Gather {
 #[derive(Debug)]
 pub(crate) struct InkAround {
     pub(crate) layer: Transient,
+    /// Share of each cell that is inked, and whether any of it is.
+    pub(crate) share: Transient,
     /// Pixels along the side of a cell.
     pub(crate) cell: u32,
 }
@@ -31,13 +37,13 @@ impl InkAround {
 
 impl Gather {
     pub(crate) fn new(gpu: &Gpu) -> Self {
-        let build = |program, label| {
+        let build = |program, label, format| {
             let module = gpu.device.create_shader_module(program);
-            RasterPipeline { label, targets: &[FORMAT], ..Default::default() }.build(&gpu.device, &module)
+            RasterPipeline { label, targets: &[format], ..Default::default() }.build(&gpu.device, &module)
         };
         Self {
-            share: build(shader!("ink/share"), "ink.share"),
-            around: build(shader!("ink/around"), "ink.around"),
+            share: build(shader!("ink/share"), "ink.share", SHARE_FORMAT),
+            around: build(shader!("ink/around"), "ink.around", AROUND_FORMAT),
         }
     }
 
@@ -52,7 +58,7 @@ impl Gather {
     ) -> InkAround {
         let cell = ((2.0 * length_px / WINDOW_CELLS as f32).round() as u32).clamp(2, 64);
         let cells = size.map(|pixels| pixels.div_ceil(cell));
-        let share = frame.texture("ink.share", cells, FORMAT);
+        let share = frame.texture("ink.share", cells, SHARE_FORMAT);
         let uniform = frame.uniform("ink.share.uniform", &[cell, 0, 0, 0]);
         frame.fullscreen(
             "ink.share",
@@ -60,13 +66,13 @@ impl Gather {
             Target::colour(&share, Some(wgpu::Color::TRANSPARENT)),
             &[uniform.as_entire_binding(), wgpu::BindingResource::TextureView(ink)],
         );
-        let around = frame.texture("ink.around", cells, FORMAT);
+        let around = frame.texture("ink.around", cells, AROUND_FORMAT);
         frame.fullscreen(
             "ink.around",
             &self.around,
             Target::colour(&around, Some(wgpu::Color::TRANSPARENT)),
             &[wgpu::BindingResource::TextureView(&share)],
         );
-        InkAround { layer: around, cell }
+        InkAround { layer: around, share, cell }
     }
 }

@@ -7,7 +7,7 @@
 @group(0) @binding(1) var<uniform> atlas: Atlas;
 @group(0) @binding(2) var<storage, read> puffs: array<Puff>;
 @group(0) @binding(3) var<storage, read> list: array<u32>;
-@group(0) @binding(4) var<storage, read> styles: array<ObjectStyle>;
+@group(0) @binding(4) var<uniform> styles: array<ObjectStyle, MAX_OBJECTS>;
 @group(0) @binding(5) var<uniform> lights: Lights;
 @group(0) @binding(6) var atlas_texture: texture_2d<f32>;
 @group(0) @binding(7) var atlas_sampler: sampler;

@@ -1,4 +1,4 @@
-// The share of each cell of the picture that is inked.
+// The share of each cell of the picture that is inked; then 1 where any of it is.
 
 struct Share {
     // Pixels along the side of a cell.
@@ -18,5 +18,5 @@ fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
             inked += f32(textureLoad(ink, vec2u(x, y), 0).x != 0u);
         }
     }
-    return vec4f(inked / f32(cells.cell * cells.cell));
+    return vec4f(inked / f32(cells.cell * cells.cell), min(inked, 1.0), 0.0, 0.0);
 }

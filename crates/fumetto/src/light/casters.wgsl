@@ -1,22 +1,17 @@
-// Finds the puffs whose shadow volume can touch anything that is seen.
-
-// Bit of a puff's flags.
-const CASTS: u32 = 1u;
+// Finds the puffs whose shadow volume can touch anything that is seen, and how much of the screen it covers.
 
 // Pieces of a volume that are looked at one by one: the whole is as near as its nearest end, though most
 // of it lies deeper.
 const PIECES: u32 = 4u;
 
-struct Casters {
-    count: u32,
-    light: u32,
-}
+// Texels of the mask beyond which a volume is worked on by many invocations.
+const SMALL_TEXELS: f32 = 1024.0;
 
-@group(0) @binding(1) var<uniform> casters: Casters;
+@group(0) @binding(1) var<uniform> casting: Casting;
 @group(0) @binding(2) var<uniform> pyramid: Pyramid;
 @group(0) @binding(3) var<uniform> lights: Lights;
 @group(0) @binding(4) var<storage, read> puffs: array<Puff>;
-@group(0) @binding(5) var<storage, read> styles: array<ObjectStyle>;
+@group(0) @binding(5) var<uniform> styles: array<ObjectStyle, MAX_OBJECTS>;
 @group(0) @binding(6) var<storage, read> nearness: array<u32>;
 @group(0) @binding(7) var<storage, read_write> flags: array<u32>;
 
@@ -40,7 +35,7 @@ fn touches(volume: Volume) -> bool {
 @compute @workgroup_size(256)
 fn main(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: vec3u, @builtin(local_invocation_index) lane: u32) {
     let item = (group.y * groups.x + group.x) * 256u + lane;
-    if item >= casters.count {
+    if item >= casting.count {
         return;
     }
     let puff = puffs[item];
@@ -48,9 +43,12 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: ve
     let fade = puff_fade(puff);
     var casts = 0u;
     if puff.radius > 0.0 && fade.x < 1.0 && fade.y > 0.0 && (style.flags & THROWS_SHADOW) != 0u {
-        let volume = volume_of(puff, style, lights.light[casters.light]);
+        let volume = volume_of(puff, style, lights.light[casting.light]);
         // One that reaches about the camera may touch anything.
-        casts = select(0u, CASTS, volume.nearest <= view.near || touches(volume));
+        if volume.nearest <= view.near || touches(volume) {
+            let texels = 4.0 * length(volume.along_px) * length(volume.side_px) / (casting.step * casting.step);
+            casts = select(CASTS_LARGE, CASTS_SMALL, texels <= SMALL_TEXELS);
+        }
     }
     flags[item] = casts;
 }

@@ -5,5 +5,5 @@ mod shadows;
 mod soften;
 
 pub(crate) use lights::LightsUniform;
-pub(crate) use shadows::{QUADS as SHADOW_QUADS, Shadows, Stencil};
+pub(crate) use shadows::{Casting, Shadows};
 pub(crate) use soften::Soften;

@@ -1,9 +1,7 @@
-//! Hard shadows by nailboard shadow volumes in the stencil buffer.
+//! Hard shadows by nailboard shadow volumes: a mask of what lies in any of them.
 //!
-//! Counted where depth fails ("z-fail"), so that a camera inside a volume changes nothing. The two
-//! polygons of a puff follow each other, back before front, and the counts saturate instead of
-//! wrapping: a puff that does not shadow a pixel adds one and takes it away again, so that however many
-//! volumes overlap, a shadowed pixel never falls back to zero.
+//! A volume marks what is seen inside it. Marks are bits that only ever get set, so it does not matter in
+//! which order, or how often.
 
 use super::LightsUniform;
 use crate::{
@@ -15,98 +13,69 @@ use crate::{
     shapes::puffs::{Atlas, Pyramid, Subject},
 };
 
-const STENCIL_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth24PlusStencil8;
-
 /// A channel for each light: above one half where its light is kept away.
 pub(crate) const SHADOW_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 
-/// Bit of a puff's flags. Also in `casters.wgsl`.
-const CASTS: u32 = 1;
+/// Bits of a puff's flags, and of a texel in the mask. Also in `casting.wgsl`.
+const CASTS_SMALL: u32 = 1;
+const CASTS_LARGE: u32 = 2;
+const TEXEL_BITS: u32 = 4;
 
-/// Polygons of a shadow volume: one front, one back.
-pub(crate) const QUADS: u32 = 2;
+/// Workgroups that share the large volumes: enough to fill a GPU.
+const TEAMS: u32 = 256;
 
 /// Long-lived pipelines.
 #[derive(Debug)]
 pub(crate) struct Shadows {
     casters: wgpu::ComputePipeline,
-    flatten: wgpu::RenderPipeline,
-    volume: wgpu::RenderPipeline,
-    /// One for each channel.
-    shadowed: [wgpu::RenderPipeline; 4],
+    small: wgpu::ComputePipeline,
+    large: wgpu::ComputePipeline,
+    shadowed: wgpu::RenderPipeline,
     settle: wgpu::RenderPipeline,
 }
 
 /// What one frame's shadows are found with.
 #[derive(Debug)]
-pub(crate) struct Stencil<'a> {
+pub(crate) struct Casting<'a> {
     pub(crate) compact: &'a Compact,
     pub(crate) flags: &'a wgpu::Buffer,
     pub(crate) list: &'a DrawList,
     pub(crate) pyramid: &'a Pyramid,
-    /// Pixels of the picture to one of the stencil's.
+    /// Pixels of the picture along a texel of the mask.
     pub(crate) step: u32,
-    /// Texels of the stencil that the shadows' edges are smoothed over.
+    /// Texels that the shadows' edges are smoothed over.
     pub(crate) settle: u32,
 }
 
 #[repr(C)]
 #[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
 struct CastingUniform {
+    count: u32,
     light: u32,
+    channel: u32,
     step: f32,
+    size: [u32; 2],
     pad: [u32; 2],
 }
 
 impl Shadows {
     pub(crate) fn new(gpu: &Gpu) -> Self {
-        let slots = [
-            Slot::Uniform,
-            Slot::Uniform,
-            Slot::Uniform,
-            Slot::Uniform,
-            Slot::Read,
-            Slot::Read,
-            Slot::Read,
-            Slot::Write,
-        ];
+        use Slot::{Depth, Read, Texture, Uniform, Write};
+        let slots = [Uniform, Uniform, Uniform, Uniform, Read, Uniform, Read, Write];
         let [casters] = kernels(gpu, shader!("light/casters"), &slots, ["main"]);
-        let device = &gpu.device;
-        let module = |program| device.create_shader_module(program);
-        let flatten = RasterPipeline {
-            label: "light.flatten",
-            depth: Some(stencil_state(true, wgpu::CompareFunction::Always, wgpu::StencilState::default())),
-            ..Default::default()
+        let slots = [Uniform, Uniform, Uniform, Uniform, Read, Read, Read, Uniform, Texture, Depth, Write];
+        let [small, large] = kernels(gpu, shader!("light/cast"), &slots, ["small", "large"]);
+        let raster = |label, program| {
+            let module = gpu.device.create_shader_module(program);
+            RasterPipeline { label, targets: &[SHADOW_FORMAT], ..Default::default() }
+                .build(&gpu.device, &module)
         };
-        let volume = RasterPipeline {
-            label: "light.volume",
-            depth: Some(stencil_state(false, wgpu::CompareFunction::Greater, counting())),
-            ..Default::default()
-        };
-        let shadowed = module(shader!("light/shadowed"));
-        let settle =
-            RasterPipeline { label: "light.settle", targets: &[SHADOW_FORMAT], ..Default::default() };
         Self {
             casters,
-            flatten: flatten.build(device, &module(shader!("light/flatten"))),
-            volume: volume.build(device, &module(shader!("light/volume"))),
-            settle: settle.build(device, &module(shader!("light/settle"))),
-            shadowed: [
-                wgpu::ColorWrites::RED,
-                wgpu::ColorWrites::GREEN,
-                wgpu::ColorWrites::BLUE,
-                wgpu::ColorWrites::ALPHA,
-            ]
-            .map(|write_mask| {
-                let marking = RasterPipeline {
-                    label: "light.shadowed",
-                    targets: &[SHADOW_FORMAT],
-                    write_mask,
-                    depth: Some(stencil_state(false, wgpu::CompareFunction::Always, not_zero())),
-                    ..Default::default()
-                };
-                marking.build(device, &shadowed)
-            }),
+            small,
+            large,
+            shadowed: raster("light.shadowed", shader!("light/shadowed")),
+            settle: raster("light.settle", shader!("light/settle")),
         }
     }
 
@@ -117,38 +86,42 @@ impl Shadows {
         subject: Subject<'_>,
         lights: &LightsUniform,
         layers: &Layers,
-        stencil: &Stencil<'_>,
+        casting: &Casting<'_>,
     ) -> Transient {
         if lights.casting().next().is_none() {
             let nowhere = frame.texture("light.shadow", [1, 1], SHADOW_FORMAT);
             frame.clear("light.shadow", Target::colour(&nowhere, Some(wgpu::Color::TRANSPARENT)));
             return nowhere;
         }
-        let size = layers.size.map(|pixels| pixels.div_ceil(stencil.step));
-        let shadow = frame.texture("light.shadow", size, SHADOW_FORMAT);
-        let depth = frame.texture("light.stencil", size, STENCIL_FORMAT);
-        let step = frame.uniform("light.flatten.uniform", &[stencil.step, 0, 0, 0]);
-        frame.fullscreen(
-            "light.flatten",
-            &self.flatten,
-            Target::default().with_stencil(&depth, Some(0.0), Some(0)),
-            &[step.as_entire_binding(), wgpu::BindingResource::TextureView(&layers.depth)],
-        );
-        let mut clear = Some(wgpu::Color::TRANSPARENT);
+        let size = layers.size.map(|pixels| pixels.div_ceil(casting.step));
+        let mask = frame.zeros("light.mask", (size[0] * size[1]).div_ceil(32 / TEXEL_BITS));
+        let uniform = |frame: &Frame<'_>, light, channel| {
+            let (count, step) = (subject.scene.count, casting.step as f32);
+            let uniform = CastingUniform { count, light, channel, step, size, pad: [0; 2] };
+            frame.uniform("light.casting", &uniform)
+        };
         for (light, channel) in lights.casting() {
-            self.find_casters(frame, subject, light, stencil);
-            let listing = Listing { items: subject.scene.count, mask: CASTS, quads: QUADS };
-            stencil.compact.record(frame, stencil.flags, listing, stencil.list);
-            let target = Target::default().with_stencil(&depth, None, Some(0));
-            count(frame, &self.volume, subject, light, stencil, target);
-            frame.fullscreen(
-                "light.shadowed",
-                &self.shadowed[channel],
-                Target::colour(&shadow, clear.take()).with_stencil(&depth, None, None),
-                &[],
-            );
+            let uniform = uniform(frame, light, 1 << channel);
+            self.find_casters(frame, subject, &uniform, casting);
+            let all = workgroups(subject.scene.count);
+            for (bit, pipeline, groups) in
+                [(CASTS_SMALL, &self.small, all), (CASTS_LARGE, &self.large, [TEAMS, 1, 1])]
+            {
+                let listing = Listing { items: subject.scene.count, mask: bit, quads: 1 };
+                casting.compact.record(frame, casting.flags, listing, casting.list);
+                let bindings = cast_bindings(subject, &uniform, casting.list, layers, &mask);
+                frame.compute("light.cast", pipeline, &bindings, groups);
+            }
         }
-        self.settle(frame, shadow, size, stencil.settle)
+        let shadow = frame.texture("light.shadow", size, SHADOW_FORMAT);
+        let uniform = uniform(frame, 0, 0);
+        frame.fullscreen(
+            "light.shadowed",
+            &self.shadowed,
+            Target::colour(&shadow, Some(wgpu::Color::TRANSPARENT)),
+            &[uniform.as_entire_binding(), mask.as_entire_binding()],
+        );
+        self.settle(frame, shadow, size, casting.settle)
     }
 
     /// Smooths the shadows' edges over `radius` texels.
@@ -168,90 +141,53 @@ impl Shadows {
         shadow
     }
 
-    fn find_casters(&self, frame: &mut Frame<'_>, subject: Subject<'_>, light: u32, stencil: &Stencil<'_>) {
-        let uniform = frame.uniform("light.casters.uniform", &[subject.scene.count, light, 0, 0]);
+    fn find_casters(
+        &self,
+        frame: &mut Frame<'_>,
+        subject: Subject<'_>,
+        uniform: &wgpu::Buffer,
+        casting: &Casting<'_>,
+    ) {
         frame.compute(
             "light.casters",
             &self.casters,
             &[
                 subject.view.as_entire_binding(),
                 uniform.as_entire_binding(),
-                stencil.pyramid.uniform.as_entire_binding(),
+                casting.pyramid.uniform.as_entire_binding(),
                 subject.lights.as_entire_binding(),
                 subject.scene.puffs.as_entire_binding(),
                 subject.scene.styles.as_entire_binding(),
-                stencil.pyramid.nearness.as_entire_binding(),
-                stencil.flags.as_entire_binding(),
+                casting.pyramid.nearness.as_entire_binding(),
+                casting.flags.as_entire_binding(),
             ],
             workgroups(subject.scene.count),
         );
     }
 }
 
-/// Counts the volumes of the listed puffs.
-fn count(
-    frame: &mut Frame<'_>,
-    volume: &wgpu::RenderPipeline,
-    subject: Subject<'_>,
-    light: u32,
-    stencil: &Stencil<'_>,
-    target: Target<'_>,
-) {
-    let casting = CastingUniform { light, step: stencil.step as f32, pad: [0; 2] };
-    let casting = frame.uniform("light.volume.uniform", &casting);
+/// What the kernels that mark the mask read and write.
+fn cast_bindings<'a>(
+    subject: Subject<'a>,
+    uniform: &'a wgpu::Buffer,
+    list: &'a DrawList,
+    layers: &'a Layers,
+    mask: &'a wgpu::Buffer,
+) -> [wgpu::BindingResource<'a>; 11] {
     let Atlas { view: texture, uniform: atlas, .. } = &subject.scene.atlas;
-    frame.raster(
-        "light.volume",
-        volume,
-        target,
-        &[
-            subject.view.as_entire_binding(),
-            atlas.as_entire_binding(),
-            casting.as_entire_binding(),
-            subject.lights.as_entire_binding(),
-            subject.scene.puffs.as_entire_binding(),
-            stencil.list.items.as_entire_binding(),
-            subject.scene.styles.as_entire_binding(),
-            wgpu::BindingResource::TextureView(texture),
-        ],
-        |pass| stencil.list.draw(pass),
-    );
-}
-
-fn stencil_state(
-    write: bool,
-    compare: wgpu::CompareFunction,
-    stencil: wgpu::StencilState,
-) -> wgpu::DepthStencilState {
-    wgpu::DepthStencilState {
-        format: STENCIL_FORMAT,
-        depth_write_enabled: Some(write),
-        depth_compare: Some(compare),
-        stencil,
-        bias: wgpu::DepthBiasState::default(),
-    }
-}
-
-/// Adds where a back polygon lies behind what is seen, subtracts where a front polygon does.
-fn counting() -> wgpu::StencilState {
-    let face = |depth_fail_op| wgpu::StencilFaceState {
-        compare: wgpu::CompareFunction::Always,
-        fail_op: wgpu::StencilOperation::Keep,
-        depth_fail_op,
-        pass_op: wgpu::StencilOperation::Keep,
-    };
-    wgpu::StencilState {
-        front: face(wgpu::StencilOperation::DecrementClamp),
-        back: face(wgpu::StencilOperation::IncrementClamp),
-        read_mask: 0xff,
-        write_mask: 0xff,
-    }
-}
-
-/// Passes where something was counted.
-fn not_zero() -> wgpu::StencilState {
-    let face = wgpu::StencilFaceState { compare: wgpu::CompareFunction::NotEqual, ..Default::default() };
-    wgpu::StencilState { front: face, back: face, read_mask: 0xff, write_mask: 0 }
+    [
+        subject.view.as_entire_binding(),
+        atlas.as_entire_binding(),
+        uniform.as_entire_binding(),
+        subject.lights.as_entire_binding(),
+        subject.scene.puffs.as_entire_binding(),
+        list.items.as_entire_binding(),
+        list.draw.as_entire_binding(),
+        subject.scene.styles.as_entire_binding(),
+        wgpu::BindingResource::TextureView(texture),
+        wgpu::BindingResource::TextureView(&layers.depth),
+        wgpu::BindingResource::Buffer(mask.as_entire_buffer_binding()),
+    ]
 }
 
 #[cfg(test)]
@@ -259,5 +195,5 @@ mod tests {
     use super::*;
     use crate::gpu::layout_test;
 
-    layout_test!(lies_as_its_twin: CastingUniform, "Casting" of "light/volume" { light, step });
+    layout_test!(lies_as_its_twin: CastingUniform, "Casting" of "light/cast" { count, light, channel, step, size });
 }

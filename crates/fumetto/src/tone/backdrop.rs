@@ -12,6 +12,8 @@ const GRADIENT_ROWS: u32 = 1024;
 #[derive(Debug)]
 pub(crate) enum Backdrop {
     Transparent,
+    /// One colour, also as an image.
+    Colour(wgpu::Color, wgpu::TextureView),
     /// Stretched over the picture.
     Gradient(wgpu::TextureView),
     /// Scaled to cover the picture, centred.
@@ -24,7 +26,11 @@ impl Backdrop {
         match (background, image) {
             (_, Some(image)) => Self::Image(upload(gpu, image)),
             (Background::Transparent, None) => Self::Transparent,
-            (&Background::Colour(colour), None) => Self::Gradient(upload(gpu, &gradient(colour, colour))),
+            (&Background::Colour(colour), None) => {
+                let [r, g, b] = colour.to_srgb8().map(|channel| f64::from(channel) / 255.0);
+                let clear = wgpu::Color { r, g, b, a: 1.0 };
+                Self::Colour(clear, upload(gpu, &gradient(colour, colour)))
+            }
             (&Background::Gradient { top, bottom }, None) => {
                 Self::Gradient(upload(gpu, &gradient(top, bottom)))
             }

@@ -7,20 +7,24 @@ use crate::{
     shapes::puffs::Subject,
 };
 
-/// The long-lived pipeline.
+/// Pixels along the side of a tile of lines. Also in `lines.wgsl`.
+const TILE_PX: u32 = 32;
+
+/// Long-lived pipelines.
 #[derive(Debug)]
 pub(crate) struct Compose {
-    /// Averages and blends.
-    soft: wgpu::RenderPipeline,
-    /// Copies.
-    hard: wgpu::RenderPipeline,
+    /// Averages and blends a cel with its ink.
+    compose: wgpu::RenderPipeline,
+    /// Lays a backdrop.
+    lay: wgpu::RenderPipeline,
+    /// Draws ink.
+    lines: wgpu::RenderPipeline,
     sampler: wgpu::Sampler,
 }
 
-/// A painted cel and its lines.
+/// The lines of a cel.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct InkedCel<'a> {
-    pub(crate) cel: &'a Transient,
+pub(crate) struct Inked<'a> {
     pub(crate) ink: &'a Transient,
     pub(crate) around: &'a InkAround,
 }
@@ -40,46 +44,52 @@ struct ComposeUniform {
     under: u32,
     cell: f32,
     window: f32,
+    size_px: [f32; 2],
+    pad: [u32; 2],
+}
+
+impl ComposeUniform {
+    fn new(size: [u32; 2]) -> Self {
+        let size_px = size.map(|pixels| pixels as f32);
+        Self { samples: 1, under: 0, cell: 1.0, window: 1.0, size_px, pad: [0; 2] }
+    }
+
+    fn inked(self, around: &InkAround) -> Self {
+        Self { cell: around.cell as f32, window: around.window(), ..self }
+    }
 }
 
 impl Compose {
     pub(crate) fn new(gpu: &Gpu) -> Self {
-        let module = gpu.device.create_shader_module(shader!("tone/compose"));
-        let [soft, hard] = [0.0, 1.0].map(|hard| {
-            let constants = [("HARD", hard)];
-            let pipeline = RasterPipeline {
-                label: "tone.compose",
-                targets: &[CEL_FORMAT],
-                constants: &constants,
-                ..Default::default()
-            };
-            pipeline.build(&gpu.device, &module)
-        });
-        Self { soft, hard, sampler: linear_sampler(gpu) }
+        let build = |label, program| {
+            let module = gpu.device.create_shader_module(program);
+            RasterPipeline { label, targets: &[CEL_FORMAT], ..Default::default() }.build(&gpu.device, &module)
+        };
+        Self {
+            compose: build("tone.compose", shader!("tone/compose")),
+            lay: build("tone.lay", shader!("tone/lay")),
+            lines: build("tone.lines", shader!("tone/lines")),
+            sampler: linear_sampler(gpu),
+        }
     }
 
-    /// Lays `cel` and its ink over `under` into `target`; `samples` of them make a pixel's side,
-    /// and an opaque cel lets nothing through.
+    /// Lays `cel` and its ink over `under` into `target`; `samples` of the cel's make a side of its pixels.
     pub(crate) fn record(
         &self,
         frame: &mut Frame<'_>,
         subject: Subject<'_>,
-        InkedCel { cel, ink, around }: InkedCel<'_>,
+        (cel, Inked { ink, around }): (&Transient, Inked<'_>),
         under: Under<'_>,
-        (samples, is_opaque): (u32, bool),
+        samples: u32,
         target: &wgpu::TextureView,
     ) {
-        let (mode, image) = match under {
-            Under::Backdrop(Backdrop::Transparent) => (0, &**cel),
-            Under::Backdrop(Backdrop::Gradient(image)) | Under::Picture(image) => (1, image),
-            Under::Backdrop(Backdrop::Image(image)) => (2, image),
-        };
-        let uniform =
-            ComposeUniform { samples, under: mode, cell: around.cell as f32, window: around.window() };
+        let (mode, image) = under.image().map_or((0, &**cel), |(mode, image)| (mode, image));
+        let size = [cel.texture().width(), cel.texture().height()].map(|side| side / samples);
+        let uniform = ComposeUniform { samples, under: mode, ..ComposeUniform::new(size).inked(around) };
         let uniform = frame.uniform("tone.compose.uniform", &uniform);
         frame.fullscreen(
             "tone.compose",
-            if samples == 1 && is_opaque { &self.hard } else { &self.soft },
+            &self.compose,
             Target::colour(target, Some(wgpu::Color::TRANSPARENT)),
             &[
                 uniform.as_entire_binding(),
@@ -92,6 +102,76 @@ impl Compose {
             ],
         );
     }
+
+    /// Lays `under` into `target`, a picture of `size` that is then painted straight into.
+    pub(crate) fn lay(
+        &self,
+        frame: &mut Frame<'_>,
+        under: Under<'_>,
+        size: [u32; 2],
+        target: &wgpu::TextureView,
+    ) {
+        let clear = match under {
+            Under::Backdrop(Backdrop::Colour(colour, _)) => Some(*colour),
+            _ => None,
+        };
+        let Some((mode, image)) = under.image().filter(|_| clear.is_none()) else {
+            let clear = clear.unwrap_or(wgpu::Color::TRANSPARENT);
+            return frame.clear("tone.lay", Target::colour(target, Some(clear)));
+        };
+        let uniform = ComposeUniform { under: mode, ..ComposeUniform::new(size) };
+        let uniform = frame.uniform("tone.lay.uniform", &uniform);
+        frame.fullscreen(
+            "tone.lay",
+            &self.lay,
+            Target::colour(target, Some(wgpu::Color::TRANSPARENT)),
+            &[
+                uniform.as_entire_binding(),
+                wgpu::BindingResource::TextureView(image),
+                wgpu::BindingResource::Sampler(&self.sampler),
+            ],
+        );
+    }
+
+    /// Draws lines into `target`, a picture of `size` that is painted straight into.
+    pub(crate) fn lines(
+        &self,
+        frame: &mut Frame<'_>,
+        subject: Subject<'_>,
+        Inked { ink, around }: Inked<'_>,
+        size: [u32; 2],
+        target: &wgpu::TextureView,
+    ) {
+        let uniform = frame.uniform("tone.lines.uniform", &ComposeUniform::new(size).inked(around));
+        let tiles = size[0].div_ceil(TILE_PX) * size[1].div_ceil(TILE_PX);
+        frame.raster(
+            "tone.lines",
+            &self.lines,
+            Target::colour(target, None),
+            &[
+                uniform.as_entire_binding(),
+                subject.scene.styles.as_entire_binding(),
+                wgpu::BindingResource::TextureView(ink),
+                wgpu::BindingResource::TextureView(&around.share),
+                wgpu::BindingResource::TextureView(&around.layer),
+                wgpu::BindingResource::Sampler(&self.sampler),
+            ],
+            |pass| pass.draw(0..6 * tiles, 0..1),
+        );
+    }
+}
+
+impl<'a> Under<'a> {
+    /// The image to lay, if any, and how: 1 stretched over the picture, 2 scaled to cover it.
+    fn image(self) -> Option<(u32, &'a wgpu::TextureView)> {
+        match self {
+            Self::Backdrop(Backdrop::Transparent) => None,
+            Self::Backdrop(Backdrop::Colour(_, image) | Backdrop::Gradient(image)) | Self::Picture(image) => {
+                Some((1, image))
+            }
+            Self::Backdrop(Backdrop::Image(image)) => Some((2, image)),
+        }
+    }
 }
 
 #[cfg(test)]
@@ -99,5 +179,5 @@ mod tests {
     use super::*;
     use crate::gpu::layout_test;
 
-    layout_test!(lies_as_its_twin: ComposeUniform, "Compose" of "tone/compose" { samples, under, cell, window });
+    layout_test!(lies_as_its_twin: ComposeUniform, "Compose" of "tone/compose" { samples, under, cell, window, size_px });
 }

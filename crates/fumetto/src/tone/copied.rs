@@ -1,8 +1,8 @@
 //! Copies pre-shaded sprites.
 
-use super::{CEL_FORMAT, Ramps};
+use super::{CEL_FORMAT, Canvas, Ramps};
 use crate::{
-    gpu::{Frame, Gpu, RasterPipeline, Target, Transient, linear_sampler, shader},
+    gpu::{Frame, Gpu, RasterPipeline, Transient, linear_sampler, shader},
     layers::{self, Layers},
     shapes::puffs::Subject,
 };
@@ -10,37 +10,41 @@ use crate::{
 /// Long-lived pipelines.
 #[derive(Debug)]
 pub(crate) struct Copied {
-    pipeline: wgpu::RenderPipeline,
+    /// For a cel of its own, and for the picture.
+    pipelines: [wgpu::RenderPipeline; 2],
     linear: wgpu::Sampler,
 }
 
 impl Copied {
     pub(crate) fn new(gpu: &Gpu) -> Self {
         let module = gpu.device.create_shader_module(shader!("tone/copied"));
-        let pipeline = RasterPipeline {
-            label: "tone.copied",
-            targets: &[CEL_FORMAT],
-            depth: Some(layers::where_filled()),
-            ..Default::default()
-        };
-        Self { pipeline: pipeline.build(&gpu.device, &module), linear: linear_sampler(gpu) }
+        let pipelines = [0.0, 1.0].map(|is_picture| {
+            let pipeline = RasterPipeline {
+                label: "tone.copied",
+                targets: &[CEL_FORMAT],
+                depth: Some(layers::where_filled()),
+                constants: &[("IS_PICTURE", is_picture)],
+                ..Default::default()
+            };
+            pipeline.build(&gpu.device, &module)
+        });
+        Self { pipelines, linear: linear_sampler(gpu) }
     }
 
-    /// Paints what the layers show.
+    /// Paints what the layers show onto `canvas`.
     pub(crate) fn record(
         &self,
         frame: &mut Frame<'_>,
         subject: Subject<'_>,
-        layers: &Layers,
-        shadow: &Transient,
+        (layers, shadow): (&Layers, &Transient),
         sprites: &Transient,
         ramps: &Ramps,
-    ) -> Transient {
-        let cel = frame.texture("tone.cel", layers.size, CEL_FORMAT);
+        canvas: Canvas<'_>,
+    ) {
         frame.fullscreen(
             "tone.copied",
-            &self.pipeline,
-            Target::colour(&cel, Some(wgpu::Color::TRANSPARENT)).with_depth_test(&layers.depth),
+            &self.pipelines[usize::from(canvas.is_picture)],
+            canvas.target().with_depth_test(&layers.depth),
             &[
                 subject.view.as_entire_binding(),
                 subject.scene.puffs.as_entire_binding(),
@@ -52,6 +56,5 @@ impl Copied {
                 wgpu::BindingResource::Sampler(&self.linear),
             ],
         );
-        cel
     }
 }

@@ -1,8 +1,11 @@
 // Copies pre-shaded sprites to where the id layer shows their puffs. Where any light is kept away, the
 // darkest tone takes their place.
 
+// Whether this paints straight into the picture, where nothing is half transparent.
+override IS_PICTURE: bool = false;
+
 @group(0) @binding(1) var<storage, read> puffs: array<Puff>;
-@group(0) @binding(2) var<storage, read> styles: array<ObjectStyle>;
+@group(0) @binding(2) var<uniform> styles: array<ObjectStyle, MAX_OBJECTS>;
 @group(0) @binding(3) var id_layer: texture_2d<u32>;
 @group(0) @binding(4) var sprites: texture_2d<f32>;
 @group(0) @binding(5) var ramps: texture_2d<f32>;
@@ -25,5 +28,5 @@ fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
     var colour = textureLoad(sprites, vec2i((vec2f(tile) + inside) * SPRITE_PX), 0).rgb;
     let shadow = textureSampleLevel(shadows, linear, position.xy / view.size_px, 0.0);
     colour = select(colour, ramp_colour(ramps, 0.0, styles[object].ramp_row), any(shadow >= vec4f(0.5)));
-    return vec4f(colour, styles[object].opacity * puff_fade(puff).y);
+    return vec4f(colour, select(styles[object].opacity * puff_fade(puff).y, 1.0, IS_PICTURE));
 }

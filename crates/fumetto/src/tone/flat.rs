@@ -1,8 +1,8 @@
 //! Light to flat colour.
 
-use super::Ramps;
+use super::{Canvas, Ramps};
 use crate::{
-    gpu::{Frame, Gpu, RasterPipeline, Target, Transient, linear_sampler, shader},
+    gpu::{Frame, Gpu, RasterPipeline, Transient, linear_sampler, shader},
     layers::{self, Layers},
     shapes::puffs::Subject,
 };
@@ -13,44 +13,46 @@ pub(crate) const CEL_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Uno
 /// The long-lived pipeline.
 #[derive(Debug)]
 pub(crate) struct Flat {
-    /// For cels of puffs alone, and for those that may show triangles.
-    pipelines: [wgpu::RenderPipeline; 2],
+    /// For cels of puffs alone, and for those that may show triangles; of either, for a cel of its own and for
+    /// the picture.
+    pipelines: [[wgpu::RenderPipeline; 2]; 2],
     linear: wgpu::Sampler,
 }
 
 impl Flat {
     pub(crate) fn new(gpu: &Gpu) -> Self {
         let module = gpu.device.create_shader_module(shader!("tone/flat"));
-        let pipelines = [0.0, 1.0].map(|has_meshes| {
+        let build = |has_meshes, is_picture| {
             let pipeline = RasterPipeline {
                 label: "tone.flat",
                 targets: &[CEL_FORMAT],
                 depth: Some(layers::where_filled()),
-                constants: &[("HAS_MESHES", has_meshes)],
+                constants: &[("HAS_MESHES", has_meshes), ("IS_PICTURE", is_picture)],
                 ..Default::default()
             };
             pipeline.build(&gpu.device, &module)
-        });
+        };
+        let pipelines =
+            [0.0, 1.0].map(|has_meshes| [0.0, 1.0].map(|is_picture| build(has_meshes, is_picture)));
         Self { pipelines, linear: linear_sampler(gpu) }
     }
 
-    /// Paints what the layers show; `step` pixels make a texel of the normal layer.
+    /// Paints what the layers show onto `canvas`; `step` pixels make a texel of the normal layer.
     pub(crate) fn record(
         &self,
         frame: &mut Frame<'_>,
         subject: Subject<'_>,
         layers: &Layers,
         (normal, shadow): (&Transient, &Transient),
-        step: u32,
-        ramps: &Ramps,
-    ) -> Transient {
-        let cel = frame.texture("tone.cel", layers.size, CEL_FORMAT);
+        (step, ramps): (u32, &Ramps),
+        canvas: Canvas<'_>,
+    ) {
         let sampling = frame.uniform("tone.flat.sampling", &[step, 0, 0, 0]);
         let meshes = subject.meshes;
         frame.fullscreen(
             "tone.flat",
-            &self.pipelines[usize::from(meshes.vertex_count > 0)],
-            Target::colour(&cel, Some(wgpu::Color::TRANSPARENT)).with_depth_test(&layers.depth),
+            &self.pipelines[usize::from(meshes.vertex_count > 0)][usize::from(canvas.is_picture)],
+            canvas.target().with_depth_test(&layers.depth),
             &[
                 subject.view.as_entire_binding(),
                 sampling.as_entire_binding(),
@@ -71,6 +73,5 @@ impl Flat {
                 wgpu::BindingResource::Sampler(&meshes.sampler),
             ],
         );
-        cel
     }
 }

@@ -4,6 +4,9 @@
 // Whether any pixel may show a triangle.
 override HAS_MESHES: bool = false;
 
+// Whether this paints straight into the picture, where nothing is half transparent.
+override IS_PICTURE: bool = false;
+
 struct Sampling {
     // Pixels of the picture to one texel of the normal layer.
     step: i32,
@@ -12,7 +15,7 @@ struct Sampling {
 @group(0) @binding(1) var<uniform> sampling: Sampling;
 @group(0) @binding(2) var<uniform> lights: Lights;
 @group(0) @binding(3) var<storage, read> puffs: array<Puff>;
-@group(0) @binding(4) var<storage, read> styles: array<ObjectStyle>;
+@group(0) @binding(4) var<uniform> styles: array<ObjectStyle, MAX_OBJECTS>;
 @group(0) @binding(5) var id_layer: texture_2d<u32>;
 @group(0) @binding(6) var depth_layer: texture_depth_2d;
 @group(0) @binding(7) var normals: texture_2d<f32>;
@@ -90,5 +93,5 @@ fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
     if HAS_MESHES && any(abs(seen.colour - 1.0) > vec3f(1e-3)) {
         colour = encoded(decoded(colour) * seen.colour);
     }
-    return vec4f(colour, style.opacity * seen.opacity);
+    return vec4f(colour, select(style.opacity * seen.opacity, 1.0, IS_PICTURE));
 }

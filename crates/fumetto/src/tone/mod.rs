@@ -1,6 +1,7 @@
 //! Tone: light turned into flat colour, and the picture put together.
 
 mod backdrop;
+mod canvas;
 mod compose;
 mod copied;
 mod flat;
@@ -8,7 +9,8 @@ mod ramps;
 mod sprites;
 
 pub(crate) use backdrop::Backdrop;
-pub(crate) use compose::{Compose, InkedCel, Under};
+pub(crate) use canvas::Canvas;
+pub(crate) use compose::{Compose, Inked, Under};
 pub(crate) use copied::Copied;
 pub(crate) use flat::{CEL_FORMAT, Flat};
 pub(crate) use ramps::Ramps;

@@ -7,7 +7,7 @@ struct Range {
 @group(0) @binding(1) var<uniform> range: Range;
 @group(0) @binding(2) var<uniform> pyramid: Pyramid;
 @group(0) @binding(3) var<storage, read> puffs: array<Puff>;
-@group(0) @binding(4) var<storage, read> styles: array<ObjectStyle>;
+@group(0) @binding(4) var<uniform> styles: array<ObjectStyle, MAX_OBJECTS>;
 @group(0) @binding(5) var<storage, read> nearness: array<u32>;
 @group(0) @binding(6) var<storage, read_write> flags: array<u32>;
 

@@ -78,7 +78,7 @@ impl Form {
         let slots = [
             Slot::Uniform,
             Slot::Read,
-            Slot::Read,
+            Slot::Uniform,
             Slot::Write,
             Slot::Write,
             Slot::Read,

@@ -13,7 +13,7 @@ struct Object {
 
 @group(0) @binding(0) var<uniform> object: Object;
 @group(0) @binding(1) var<storage, read> puffs: array<Puff>;
-@group(0) @binding(2) var<storage, read> styles: array<ObjectStyle>;
+@group(0) @binding(2) var<uniform> styles: array<ObjectStyle, MAX_OBJECTS>;
 @group(0) @binding(3) var<storage, read_write> grids: array<FormGrid>;
 @group(0) @binding(4) var<storage, read_write> matter: array<atomic<u32>>;
 @group(0) @binding(5) var<storage, read> blurred_from: array<f32>;

@@ -77,11 +77,18 @@ impl Pyramid {
 
 impl Occlusion {
     pub(crate) fn new(gpu: &Gpu) -> Self {
-        let slots =
-            [Slot::Uniform, Slot::Uniform, Slot::Uniform, Slot::Read, Slot::Read, Slot::Write, Slot::Write];
+        let slots = [
+            Slot::Uniform,
+            Slot::Uniform,
+            Slot::Uniform,
+            Slot::Read,
+            Slot::Uniform,
+            Slot::Write,
+            Slot::Write,
+        ];
         let [compete, choose] = kernels(gpu, shader!("shapes/puffs/front"), &slots, ["compete", "choose"]);
         let slots =
-            [Slot::Uniform, Slot::Uniform, Slot::Uniform, Slot::Read, Slot::Read, Slot::Read, Slot::Write];
+            [Slot::Uniform, Slot::Uniform, Slot::Uniform, Slot::Read, Slot::Uniform, Slot::Read, Slot::Write];
         let [cull] = kernels(gpu, shader!("shapes/puffs/cull"), &slots, ["cull"]);
         let slots = [Slot::Uniform, Slot::Uniform, Slot::Write, Slot::Depth];
         let [pixels, cells] = kernels(gpu, shader!("shapes/puffs/reduce"), &slots, ["pixels", "cells"]);

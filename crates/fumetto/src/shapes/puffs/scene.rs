@@ -1,7 +1,7 @@
 use std::ops::Range;
 
 use super::{atlas::Atlas, form::FormField, present::Puff};
-use crate::{gpu::Gpu, shapes::mesh::MeshScene};
+use crate::{gpu::Gpu, object::MAX_OBJECTS, shapes::mesh::MeshScene};
 
 /// All puffs of a scene, and what they are drawn with.
 #[derive(Debug)]
@@ -38,20 +38,26 @@ pub(crate) struct PuffObject {
 impl PuffScene {
     pub(crate) fn new(gpu: &Gpu, atlas: Atlas, objects: Vec<PuffObject>, style_bytes: u64) -> Self {
         let count = objects.last().map_or(0, |object| object.range.end);
-        let buffer = |label, size: u64| {
+        let buffer = |label, size: u64, usage| {
             gpu.device.create_buffer(&wgpu::BufferDescriptor {
                 label: Some(label),
                 size,
-                usage: wgpu::BufferUsages::STORAGE
-                    | wgpu::BufferUsages::COPY_DST
-                    | wgpu::BufferUsages::COPY_SRC,
+                usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::COPY_SRC | usage,
                 mapped_at_creation: false,
             })
         };
         Self {
-            puffs: buffer("shapes.puffs", u64::from(count.max(1)) * size_of::<Puff>() as u64),
+            puffs: buffer(
+                "shapes.puffs",
+                u64::from(count.max(1)) * size_of::<Puff>() as u64,
+                wgpu::BufferUsages::STORAGE,
+            ),
             count,
-            styles: buffer("shapes.puffs.styles", style_bytes * objects.len().max(1) as u64),
+            styles: buffer(
+                "shapes.puffs.styles",
+                style_bytes * MAX_OBJECTS as u64,
+                wgpu::BufferUsages::UNIFORM,
+            ),
             atlas,
             form: FormField::new(gpu, objects.len().max(1) as u32),
             objects,
