@@ -109,6 +109,7 @@ const PROGRAMS: &[(&str, &[&str])] = &[
             "shapes/puffs/billboard",
             "light/lights",
             "ink/width",
+            "ink/pen",
             "ink/outline",
         ],
     ),
@@ -162,7 +163,7 @@ const PROGRAMS: &[(&str, &[&str])] = &[
         "tone/compose",
         &[
             "gpu/fullscreen",
-            "object",
+            "ink/pen",
             "tone/srgb",
             "tone/composing",
             "tone/line",
@@ -171,7 +172,7 @@ const PROGRAMS: &[(&str, &[&str])] = &[
         ],
     ),
     ("tone/lay", &["gpu/fullscreen", "tone/composing", "tone/under", "tone/lay"]),
-    ("tone/lines", &["object", "tone/composing", "tone/line", "tone/lines"]),
+    ("tone/lines", &["ink/pen", "tone/composing", "tone/line", "tone/lines"]),
 ];
 
 /// What every `WebGPU` adapter can do: `pack2x16float` counts as a capability of its own here.

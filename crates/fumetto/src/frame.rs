@@ -6,7 +6,7 @@ use crate::{
     Player, Shot,
     cels::{Cel, cels},
     gpu::{Compact, DrawList, Frame, Gpu, Listing, TexturePool, Transient, View},
-    ink::{Gather, Outline},
+    ink::{Gather, Outline, Pen},
     layers::Layers,
     light::{Casting, LightsUniform, Shadows, Soften},
     object::ObjectStyle,
@@ -116,8 +116,9 @@ impl Painter {
         let cel = Cel { members, pre_shaded: false };
         write_styles(gpu, &setting, &cel);
         let mut frame = Frame::new(gpu, pool, "proof");
-        let (view, lights) = setting.uniforms(&frame);
-        let subject = Subject { scene: &player.puffs, meshes: &player.meshes, view: &view, lights: &lights };
+        let (view, lights, pens) = setting.buffers(&frame);
+        let Player { puffs: scene, meshes, .. } = player;
+        let subject = Subject { scene, meshes, view: &view, lights: &lights, pens: &pens };
         let room = self.room.as_ref().expect("setting makes room");
         let layers = self.fill(&mut frame, subject, room, (&cel.members, setting.view.size), None);
         self.form.record(&mut frame, subject.scene, &cel.members);
@@ -148,9 +149,9 @@ impl Painter {
         target: &wgpu::TextureView,
     ) -> Layers {
         let room = self.room.as_ref().expect("room is made before a cel is painted");
-        let (view, lights) = setting.uniforms(frame);
-        let Player { puffs, meshes, .. } = setting.player;
-        let subject = Subject { scene: puffs, meshes, view: &view, lights: &lights };
+        let (view, lights, pens) = setting.buffers(frame);
+        let Player { puffs: scene, meshes, .. } = setting.player;
+        let subject = Subject { scene, meshes, view: &view, lights: &lights, pens: &pens };
 
         let layers = self.fill(frame, subject, room, (&cel.members, setting.view.size), opaque);
         let shadow = self.shadow(frame, subject, setting, room, &layers);
@@ -260,16 +261,22 @@ impl Painter {
 }
 
 impl Setting<'_> {
-    /// The view and the lights as shaders take them.
-    fn uniforms(&self, frame: &Frame<'_>) -> (wgpu::Buffer, wgpu::Buffer) {
-        (frame.uniform("frame.view", &self.view.uniform), frame.uniform("frame.lights", &self.lights))
+    /// The view, the lights and the pens as shaders take them.
+    fn buffers(&self, frame: &Frame<'_>) -> (wgpu::Buffer, wgpu::Buffer, wgpu::Buffer) {
+        (
+            frame.uniform("frame.view", &self.view.uniform),
+            frame.uniform("frame.lights", &self.lights),
+            frame.storage("frame.pens", &self.pens()),
+        )
+    }
+
+    fn pens(&self) -> Vec<Pen> {
+        Pen::of_all(&self.player.scene().objects, self.view.size[1])
     }
 
     /// Length of the shortest line that any object keeps, in samples.
     fn ink_length_px(&self) -> f32 {
-        let objects = (0..).zip(&self.player.scene().objects);
-        let style = |(index, object)| ObjectStyle::new(object, index, self.view.size[1], true);
-        objects.map(|object| style(object).shortest_line_px()).fold(0.0, f32::max)
+        self.pens().iter().map(Pen::shortest_line_px).fold(0.0, f32::max)
     }
 
     /// Samples to a texel of the shadow mask: shadows need not be finer than the least tone.

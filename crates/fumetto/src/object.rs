@@ -1,18 +1,16 @@
 //! How each object is drawn, as shaders take it.
 
-use fumetto_scene::{Object, Width, limits};
+use fumetto_scene::{EdgeKind, Object, Width, limits};
 
 /// `ObjectStyle` of `object.wgsl`.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, bytemuck::Pod, bytemuck::Zeroable)]
 pub(crate) struct ObjectStyle {
-    ink_colour: [f32; 3],
     ink_width_px: f32,
     ink_width_m: f32,
     ink_offset: f32,
     ink_inner: f32,
     ink_lit_thinning: f32,
-    ink_shortest_px: f32,
     form: f32,
     wrap: f32,
     opacity: f32,
@@ -40,19 +38,17 @@ impl ObjectStyle {
     pub(crate) fn new(object: &Object, index: u32, height_px: u32, in_cel: bool) -> Self {
         let style = &object.style;
         let scale = height_px as f32 / style.height_px;
-        let (ink_width_px, ink_width_m) = match style.ink.width {
+        let (ink_width_px, ink_width_m) = match style.ink.width_of(EdgeKind::Silhouette) {
             Width::Px(px) => (px * scale, 0.0),
             Width::World(metres) => (0.0, metres),
         };
         let flag = |on, bit| if on { bit } else { 0 };
         Self {
-            ink_colour: style.ink.colour.to_srgb8().map(|channel| f32::from(channel) / 255.0),
             ink_width_px,
             ink_width_m,
             ink_offset: style.ink.offset,
             ink_inner: style.ink.inner,
             ink_lit_thinning: style.ink.lit_thinning,
-            ink_shortest_px: style.ink.shortest * ink_width_px,
             form: style.form,
             wrap: style.wrap,
             opacity: object.opacity,
@@ -60,18 +56,13 @@ impl ObjectStyle {
             shadow_reach: style.shadow.reach,
             shadow_start: style.shadow.start,
             shadow_size: style.shadow.size,
-            flags: flag(style.ink.on, HAS_INK)
+            flags: flag(style.ink.on && style.ink.silhouette.on, HAS_INK)
                 | flag(style.shadow.on && object.visible, THROWS_SHADOW)
                 | flag(in_cel, IN_CEL),
             form_scale: style.form_scale,
             material: style.material,
             pad: 0.0,
         }
-    }
-
-    /// Length of the shortest line that is kept.
-    pub(crate) fn shortest_line_px(&self) -> f32 {
-        self.ink_shortest_px
     }
 }
 
@@ -80,5 +71,5 @@ mod tests {
     use super::*;
     use crate::gpu::layout_test;
 
-    layout_test!(lies_as_its_twin: ObjectStyle, "ObjectStyle" of "tone/flat" { ink_colour, ink_width_px, ink_width_m, ink_offset, ink_inner, ink_lit_thinning, ink_shortest_px, form, wrap, opacity, ramp_row, shadow_reach, shadow_start, shadow_size, flags, form_scale, material });
+    layout_test!(lies_as_its_twin: ObjectStyle, "ObjectStyle" of "tone/flat" { ink_width_px, ink_width_m, ink_offset, ink_inner, ink_lit_thinning, form, wrap, opacity, ramp_row, shadow_reach, shadow_start, shadow_size, flags, form_scale, material });
 }

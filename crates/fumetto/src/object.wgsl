@@ -1,7 +1,6 @@
 // How one object is drawn; an array of these, by the object's number, goes with every frame. It is uniform:
 // software rasterisers read it several times faster than storage.
 struct ObjectStyle {
-    ink_colour: vec3f,
     // Width of an outline: the larger of the two counts.
     ink_width_px: f32,
     ink_width_m: f32,
@@ -9,8 +8,6 @@ struct ObjectStyle {
     ink_offset: f32,
     ink_inner: f32,
     ink_lit_thinning: f32,
-    // Length of the shortest line that is kept, in pixels.
-    ink_shortest_px: f32,
     form: f32,
     wrap: f32,
     opacity: f32,

@@ -2,6 +2,8 @@
 
 mod gather;
 mod outline;
+mod pen;
 
 pub(crate) use gather::{Gather, InkAround};
 pub(crate) use outline::Outline;
+pub(crate) use pen::Pen;

@@ -6,7 +6,7 @@ use crate::{
     shapes::puffs::{Atlas, Subject},
 };
 
-/// Number of the inked object + 1, 0 where there is no ink; opacity of the puff, 0 to 255.
+/// Number of the pen + 1, 0 where there is no ink; opacity of the line, 0 to 255.
 pub(crate) const INK_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rg8Uint;
 
 /// The long-lived pipeline.

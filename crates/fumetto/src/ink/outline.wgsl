@@ -20,7 +20,7 @@ struct Corner {
     @location(0) @interpolate(linear) p_uv: vec4f,
     // In pairs: where the light comes from in the puff's own frame (0 to 1 long); widths of an outline and
     // of an inner line, in the puff's margin; erosion and the share of the width that goes where it is
-    // lit; then object + 1 and opacity in bytes.
+    // lit; then pen + 1 and opacity in bytes.
     @location(1) @interpolate(flat) ink: vec4u,
     // Distance of the billboard, distance behind it at which lines have their full width.
     @location(2) @interpolate(flat) taper: vec2f,
@@ -50,7 +50,7 @@ fn vertex(@builtin(vertex_index) index: u32) -> Corner {
             pack2x16snorm(light),
             pack2x16float(vec2f(width, width * style.ink_inner)),
             pack2x16unorm(vec2f(puff_fade(puff).x, style.ink_lit_thinning)),
-            (puff_object(puff) + 1u) | (u32(round(255.0 * puff_fade(puff).y)) << 8u),
+            (pen_number(puff_object(puff), SILHOUETTE) + 1u) | (u32(round(255.0 * puff_fade(puff).y)) << 8u),
         ),
         vec2f(distance, puff.radius),
     );

@@ -93,7 +93,7 @@ impl Compose {
             Target::colour(target, Some(wgpu::Color::TRANSPARENT)),
             &[
                 uniform.as_entire_binding(),
-                subject.scene.styles.as_entire_binding(),
+                subject.pens.as_entire_binding(),
                 wgpu::BindingResource::TextureView(cel),
                 wgpu::BindingResource::TextureView(ink),
                 wgpu::BindingResource::TextureView(&around.layer),
@@ -150,7 +150,7 @@ impl Compose {
             Target::colour(target, None),
             &[
                 uniform.as_entire_binding(),
-                subject.scene.styles.as_entire_binding(),
+                subject.pens.as_entire_binding(),
                 wgpu::BindingResource::TextureView(ink),
                 wgpu::BindingResource::TextureView(&around.share),
                 wgpu::BindingResource::TextureView(&around.layer),

@@ -25,6 +25,8 @@ pub(crate) struct Subject<'a> {
     pub(crate) view: &'a wgpu::Buffer,
     /// `Lights` of `lights.wgsl`.
     pub(crate) lights: &'a wgpu::Buffer,
+    /// `Pen`s of `pen.wgsl`.
+    pub(crate) pens: &'a wgpu::Buffer,
 }
 
 /// One object's share of the puffs.

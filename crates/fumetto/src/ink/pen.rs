@@ -1,0 +1,63 @@
+//! How each kind of edge of each object is drawn, as shaders take it.
+
+use fumetto_scene::{EdgeKind, Object, Width};
+
+/// `Pen` of `pen.wgsl`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, bytemuck::Pod, bytemuck::Zeroable)]
+pub(crate) struct Pen {
+    colour: [f32; 3],
+    opacity: f32,
+    width_px: f32,
+    width_m: f32,
+    dash_px: [f32; 2],
+    shortest_px: f32,
+    thinnest_px: f32,
+    flags: u32,
+    pad: u32,
+}
+
+const DRAWS: u32 = 1;
+
+impl Pen {
+    /// The pens of all `objects`, in a picture `height_px` samples high.
+    pub(crate) fn of_all(objects: &[Object], height_px: u32) -> Vec<Self> {
+        let pens = |object| EdgeKind::ALL.map(|kind| Self::new(object, kind, height_px));
+        objects.iter().flat_map(pens).collect()
+    }
+
+    fn new(object: &Object, kind: EdgeKind, height_px: u32) -> Self {
+        let ink = &object.style.ink;
+        let pen = ink.pen(kind);
+        let scale = height_px as f32 / object.style.height_px;
+        let (width_px, width_m) = match ink.width_of(kind) {
+            Width::Px(px) => (px * scale, 0.0),
+            Width::World(metres) => (0.0, metres),
+        };
+        let draws = ink.on && pen.on && (width_px > 0.0 || width_m > 0.0);
+        Self {
+            colour: ink.colour_of(kind).to_srgb8().map(|channel| f32::from(channel) / 255.0),
+            opacity: object.opacity,
+            width_px,
+            width_m,
+            dash_px: pen.dash_px.unwrap_or_default().map(|px| px * scale),
+            shortest_px: ink.shortest * width_px,
+            thinnest_px: width_px * (1.0 - ink.lit_thinning),
+            flags: if draws { DRAWS } else { 0 },
+            pad: 0,
+        }
+    }
+
+    /// Length of the shortest line that is kept.
+    pub(crate) fn shortest_line_px(&self) -> f32 {
+        self.shortest_px
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gpu::layout_test;
+
+    layout_test!(lies_as_its_twin: Pen, "Pen" of "tone/compose" { colour, opacity, width_px, width_m, dash_px, shortest_px, thinnest_px, flags });
+}
