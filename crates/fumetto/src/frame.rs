@@ -6,7 +6,7 @@ use crate::{
     Player, Shot,
     cels::{Cel, cels},
     gpu::{Compact, DrawList, Frame, Gpu, Listing, TexturePool, Transient, View},
-    ink::{Gather, Outline, Pen},
+    ink::{Gather, MAX_PENS, Outline, Pen},
     layers::Layers,
     light::{Casting, LightsUniform, Shadows, Soften},
     object::ObjectStyle,
@@ -266,11 +266,11 @@ impl Setting<'_> {
         (
             frame.uniform("frame.view", &self.view.uniform),
             frame.uniform("frame.lights", &self.lights),
-            frame.storage("frame.pens", &self.pens()),
+            frame.uniform("frame.pens", &self.pens()),
         )
     }
 
-    fn pens(&self) -> Vec<Pen> {
+    fn pens(&self) -> [Pen; MAX_PENS] {
         Pen::of_all(&self.player.scene().objects, self.view.size[1])
     }
 

@@ -6,4 +6,4 @@ mod pen;
 
 pub(crate) use gather::{Gather, InkAround};
 pub(crate) use outline::Outline;
-pub(crate) use pen::Pen;
+pub(crate) use pen::{MAX_PENS, Pen};

@@ -1,6 +1,6 @@
 //! How each kind of edge of each object is drawn, as shaders take it.
 
-use fumetto_scene::{EdgeKind, Object, Width};
+use fumetto_scene::{EdgeKind, Object, Width, limits};
 
 /// `Pen` of `pen.wgsl`.
 #[repr(C)]
@@ -19,11 +19,20 @@ pub(crate) struct Pen {
 
 const DRAWS: u32 = 1;
 
+/// Pens that a frame may have: as many as the ink layer tells apart. Also in `pen.wgsl`.
+pub(crate) const MAX_PENS: usize = 256;
+
+const _: () = assert!(EdgeKind::ALL.len() * limits::MAX_OBJECTS < MAX_PENS, "every object has its pens");
+
 impl Pen {
-    /// The pens of all `objects`, in a picture `height_px` samples high.
-    pub(crate) fn of_all(objects: &[Object], height_px: u32) -> Vec<Self> {
+    /// The pens of all `objects`, in a picture `height_px` samples high; those beyond draw nothing.
+    pub(crate) fn of_all(objects: &[Object], height_px: u32) -> [Self; MAX_PENS] {
+        let mut all = [bytemuck::Zeroable::zeroed(); MAX_PENS];
         let pens = |object| EdgeKind::ALL.map(|kind| Self::new(object, kind, height_px));
-        objects.iter().flat_map(pens).collect()
+        for (slot, pen) in all.iter_mut().zip(objects.iter().flat_map(pens)) {
+            *slot = pen;
+        }
+        all
     }
 
     fn new(object: &Object, kind: EdgeKind, height_px: u32) -> Self {

@@ -20,6 +20,9 @@ struct Pen {
 
 const DRAWS: u32 = 1u;
 
+// Pens that a frame may have: as many as the ink layer tells apart. Also in `pen.rs`.
+const MAX_PENS: u32 = 256u;
+
 // Kinds of edges, and how many there are.
 const SILHOUETTE: u32 = 0u;
 const CREASE: u32 = 1u;

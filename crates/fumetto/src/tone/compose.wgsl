@@ -1,7 +1,7 @@
 // Lays a cel with its ink over what is there, and averages the samples of each pixel in linear light.
 
 @group(0) @binding(0) var<uniform> compose: Compose;
-@group(0) @binding(1) var<storage, read> pens: array<Pen>;
+@group(0) @binding(1) var<uniform> pens: array<Pen, MAX_PENS>;
 @group(0) @binding(2) var cel: texture_2d<f32>;
 @group(0) @binding(3) var ink: texture_2d<u32>;
 @group(0) @binding(4) var around: texture_2d<f32>;

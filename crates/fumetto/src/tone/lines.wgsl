@@ -1,7 +1,7 @@
 // Draws ink straight into a picture, in those tiles of it that have any.
 
 @group(0) @binding(0) var<uniform> compose: Compose;
-@group(0) @binding(1) var<storage, read> pens: array<Pen>;
+@group(0) @binding(1) var<uniform> pens: array<Pen, MAX_PENS>;
 @group(0) @binding(2) var ink: texture_2d<u32>;
 @group(0) @binding(3) var shares: texture_2d<f32>;
 @group(0) @binding(4) var around: texture_2d<f32>;
