@@ -192,6 +192,7 @@ impl Painter {
         self.occlusion.rest(frame, subject, &room.pyramid, &room.flags, &layers.depth);
         self.compact.record(frame, &room.flags, listing(REST), &room.list);
         self.body.record(frame, subject, &room.list, layers.target());
+        self.occlusion.inks(frame, subject, &room.pyramid, &room.flags, &layers.depth);
         self.compact.record(frame, &room.flags, listing(INK), &room.inks);
         layers
     }

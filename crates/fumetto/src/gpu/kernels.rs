@@ -16,6 +16,8 @@ pub(crate) enum Slot {
     Depth,
     /// A texture of floats that is read.
     Texture,
+    /// A sampler that does not filter.
+    Nearest,
 }
 
 impl Slot {
@@ -31,6 +33,7 @@ impl Slot {
             Self::Read => buffer(wgpu::BufferBindingType::Storage { read_only: true }),
             Self::Write => buffer(wgpu::BufferBindingType::Storage { read_only: false }),
             Self::Depth => texture(wgpu::TextureSampleType::Depth),
+            Self::Nearest => wgpu::BindingType::Sampler(wgpu::SamplerBindingType::NonFiltering),
             Self::Texture => texture(wgpu::TextureSampleType::Float { filterable: true }),
             Self::WriteTexture3d => wgpu::BindingType::StorageTexture {
                 access: wgpu::StorageTextureAccess::WriteOnly,

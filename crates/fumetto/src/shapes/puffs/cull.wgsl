@@ -1,4 +1,4 @@
-// Finds the puffs whose body, and whose ink, the ones drawn first do not hide.
+// Finds the puffs whose body the ones drawn first do not hide, and then those whose ink no body hides.
 
 struct Range {
     count: u32,
@@ -66,27 +66,41 @@ fn ball_visible(sprite: Sprite, radius: f32) -> bool {
     return seen;
 }
 
+fn is_drawn(puff: Puff, sprite: Sprite) -> bool {
+    let fade = puff_fade(puff);
+    return sprite.distance > 0.0 && fade.x < 1.0 && fade.y > 0.0 && (styles[puff_object(puff)].flags & IN_CEL) != 0u;
+}
+
 @compute @workgroup_size(256)
-fn cull(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: vec3u, @builtin(local_invocation_index) lane: u32) {
+fn bodies(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: vec3u, @builtin(local_invocation_index) lane: u32) {
     let item = (group.y * groups.x + group.x) * 256u + lane;
     if item >= range.count {
         return;
     }
     let puff = puffs[item];
-    let style = styles[puff_object(puff)];
     let sprite = sprite_of(puff);
-    let fade = puff_fade(puff);
     let front = flags[item] & FRONT;
     var seen = front;
-    if sprite.distance > 0.0 && fade.x < 1.0 && fade.y > 0.0 && (style.flags & IN_CEL) != 0u {
-        if front == 0u && ball_visible(sprite, puff.radius) {
-            seen |= REST;
-        }
+    if front == 0u && is_drawn(puff, sprite) && ball_visible(sprite, puff.radius) {
+        seen = REST;
+    }
+    flags[item] = seen;
+}
+
+@compute @workgroup_size(256)
+fn inks(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: vec3u, @builtin(local_invocation_index) lane: u32) {
+    let item = (group.y * groups.x + group.x) * 256u + lane;
+    if item >= range.count {
+        return;
+    }
+    let puff = puffs[item];
+    let sprite = sprite_of(puff);
+    let style = styles[puff_object(puff)];
+    var seen = 0u;
+    if (style.flags & HAS_INK) != 0u && is_drawn(puff, sprite) {
         let width_px = ink_width_px(style, sprite.distance);
         let behind = sprite.distance + style.ink_offset * 2.0 * puff.radius;
-        if (style.flags & HAS_INK) != 0u && disc_visible(sprite.px, sprite.radius_px + width_px, behind) {
-            seen |= INK;
-        }
+        seen = select(0u, INK, disc_visible(sprite.px, sprite.radius_px + width_px, behind));
     }
     flags[item] = seen;
 }

@@ -21,7 +21,9 @@ pub(crate) struct Occlusion {
     choose: wgpu::ComputePipeline,
     pixels: wgpu::ComputePipeline,
     cells: wgpu::ComputePipeline,
-    cull: wgpu::ComputePipeline,
+    bodies: wgpu::ComputePipeline,
+    inks: wgpu::ComputePipeline,
+    nearest: wgpu::Sampler,
 }
 
 /// The pyramid for pictures of one size.
@@ -89,10 +91,14 @@ impl Occlusion {
         let [compete, choose] = kernels(gpu, shader!("shapes/puffs/front"), &slots, ["compete", "choose"]);
         let slots =
             [Slot::Uniform, Slot::Uniform, Slot::Uniform, Slot::Read, Slot::Uniform, Slot::Read, Slot::Write];
-        let [cull] = kernels(gpu, shader!("shapes/puffs/cull"), &slots, ["cull"]);
-        let slots = [Slot::Uniform, Slot::Uniform, Slot::Write, Slot::Depth];
+        let [bodies, inks] = kernels(gpu, shader!("shapes/puffs/cull"), &slots, ["bodies", "inks"]);
+        let slots = [Slot::Uniform, Slot::Uniform, Slot::Write, Slot::Depth, Slot::Nearest];
         let [pixels, cells] = kernels(gpu, shader!("shapes/puffs/reduce"), &slots, ["pixels", "cells"]);
-        Self { compete, choose, pixels, cells, cull }
+        let nearest = gpu.device.create_sampler(&wgpu::SamplerDescriptor {
+            label: Some("shapes.puffs.nearest"),
+            ..Default::default()
+        });
+        Self { compete, choose, pixels, cells, bodies, inks, nearest }
     }
 
     /// Flags the puffs to draw first, [`FRONT`].
@@ -111,8 +117,7 @@ impl Occlusion {
         }
     }
 
-    /// With what was drawn first in `depth`, flags the bodies that are still to be drawn, [`REST`], and
-    /// the ink, [`INK`].
+    /// With what was drawn first in `depth`, flags the bodies that are still to be drawn, [`REST`].
     pub(crate) fn rest(
         &self,
         frame: &mut Frame<'_>,
@@ -121,6 +126,24 @@ impl Occlusion {
         flags: &wgpu::Buffer,
         depth: &wgpu::TextureView,
     ) {
+        self.reduce(frame, pyramid, depth);
+        flag(frame, "shapes.puffs.bodies", &self.bodies, subject, pyramid, flags);
+    }
+
+    /// With all bodies in `depth`, flags the puffs whose ink shows, [`INK`].
+    pub(crate) fn inks(
+        &self,
+        frame: &mut Frame<'_>,
+        subject: Subject<'_>,
+        pyramid: &Pyramid,
+        flags: &wgpu::Buffer,
+        depth: &wgpu::TextureView,
+    ) {
+        self.reduce(frame, pyramid, depth);
+        flag(frame, "shapes.puffs.inks", &self.inks, subject, pyramid, flags);
+    }
+
+    fn reduce(&self, frame: &mut Frame<'_>, pyramid: &Pyramid, depth: &wgpu::TextureView) {
         for (index, &[width, height]) in pyramid.levels.iter().enumerate() {
             frame.compute(
                 "shapes.puffs.reduce",
@@ -130,11 +153,11 @@ impl Occlusion {
                     pyramid.level_uniforms[index].as_entire_binding(),
                     pyramid.nearness.as_entire_binding(),
                     wgpu::BindingResource::TextureView(depth),
+                    wgpu::BindingResource::Sampler(&self.nearest),
                 ],
                 [width.div_ceil(16), height.div_ceil(16), 1],
             );
         }
-        flag(frame, "shapes.puffs.cull", &self.cull, subject, pyramid, flags);
     }
 }
 

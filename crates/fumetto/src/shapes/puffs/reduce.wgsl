@@ -8,6 +8,7 @@ struct Level {
 @group(0) @binding(1) var<uniform> level: Level;
 @group(0) @binding(2) var<storage, read_write> nearness: array<u32>;
 @group(0) @binding(3) var depth_layer: texture_depth_2d;
+@group(0) @binding(4) var nearest: sampler;
 
 @compute @workgroup_size(16, 16)
 fn pixels(@builtin(global_invocation_id) id: vec3u) {
@@ -15,14 +16,14 @@ fn pixels(@builtin(global_invocation_id) id: vec3u) {
     if any(id.xy >= grid.yz) {
         return;
     }
-    let side = u32(CELL_PX);
-    let last = textureDimensions(depth_layer) - 1u;
-    var farthest = 1.0;
-    for (var i = 0u; i < side * side; i++) {
-        let at = min(id.xy * side + vec2u(i % side, i / side), last);
-        farthest = min(farthest, textureLoad(depth_layer, at, 0));
+    // Four texels at once: those about the corner where they meet.
+    let size = vec2f(textureDimensions(depth_layer));
+    var farthest = vec4f(1.0);
+    for (var corner = 0u; corner < 4u; corner++) {
+        let at = vec2f(id.xy) * CELL_PX + 1.0 + 2.0 * vec2f(vec2u(corner & 1u, corner >> 1u));
+        farthest = min(farthest, textureGather(depth_layer, nearest, at / size));
     }
-    nearness[grid.x + id.y * grid.y + id.x] = bitcast<u32>(farthest);
+    nearness[grid.x + id.y * grid.y + id.x] = bitcast<u32>(min(min(farthest.x, farthest.y), min(farthest.z, farthest.w)));
 }
 
 @compute @workgroup_size(16, 16)
