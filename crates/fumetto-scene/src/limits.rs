@@ -33,6 +33,18 @@ pub const LENGTH: Limit = Limit::above(0.0, 1e9);
 pub const FOV_DEG: Limit = Limit::open(0.0, 180.0);
 /// Shares of a whole.
 pub const SHARE: Limit = Limit::closed(0.0, 1.0);
+/// Shares of a whole of which something must be left.
+pub const PART: Limit = Limit::above(0.0, 1.0);
+/// Powers that something is raised to.
+pub const EXPONENT: Limit = Limit::above(0.0, 10_000.0);
+/// Lengths that may be zero, in metres.
+pub const DISTANCE: Limit = Limit::closed(0.0, 1e9);
+/// Tones between two colours, both counted.
+pub const STEPS: Limit = Limit::closed(2.0, MAX_TONES as f64);
+/// Values that a mesh's colours are brought to; 0 keeps all.
+pub const MATERIAL_STEPS: Limit = Limit::closed(0.0, 32.0);
+/// Sizes of relief that are told apart.
+pub const SCALES: Limit = Limit::closed(1.0, 8.0);
 /// What multiplies something else.
 pub const FACTOR: Limit = Limit::closed(0.0, 1e6);
 /// What multiplies something else and must leave some of it.

@@ -5,8 +5,9 @@ mod common;
 
 use common::{load, load_with};
 use fumetto_scene::{
-    Background, Burst, Colour, Curve, EmitterShape, Force, Light, LightKind, Matter, Mesh, Particle, Puffs,
-    Ramp, Scene, SceneText, Shading, Smoke, StyleChoice, Tone, Transform, Width,
+    Background, Burst, Colour, Curve, EmitterShape, Exaggerate, Force, Gooch, Highlight, Light, LightKind,
+    Matter, Mesh, Particle, Puffs, Ramp, RampImage, RampRows, Rim, Scene, SceneText, Shading, Smoke, Style,
+    StyleChoice, Tone, Transform, Width,
 };
 
 fn srgb(hex: u32) -> Colour {
@@ -92,6 +93,88 @@ fn every_key_of_a_style_reaches_it() {
 }
 
 #[test]
+fn every_way_to_shade_reaches_the_style() {
+    let scene = good(include_str!("good/everything.toml"));
+    let style = &scene.objects[0].style;
+    assert_eq!(style.material_steps, 6);
+    assert_eq!(style.highlight, Highlight { on: true, colour: srgb(0xfffbe8), from: 0.8, gloss: 25.0 });
+    assert_eq!(style.rim, Rim { on: true, colour: srgb(0xffe0a0), width: 0.3, from: 0.1 });
+    assert_eq!(style.exaggerate, Exaggerate { amount: 0.5, scales: 4, contrast: 3.0 });
+    assert!(!style.suits_sprites());
+}
+
+/// The styles of the objects that are styled so, one after the other.
+fn styles(scene_style: &str, objects: &[&str]) -> Vec<Style> {
+    let objects: String = objects
+        .iter()
+        .enumerate()
+        .map(|(i, style)| {
+            format!("{{ name = \"{i}\", kind = \"cloud\", particles = \"a.ply\", style = {{ {style} }} }}, ")
+        })
+        .collect();
+    let scene = good(&format!(
+        "format = 1\ncamera = {{ eye = [0, 0, 5], target = [0, 0, 0] }}\n\
+         light = [{{ kind = \"sun\", direction = [0, -1, 0] }}]\nstyle = {{ {scene_style} }}\nobject = [{objects}]"
+    ));
+    scene.objects.into_iter().map(|object| object.style).collect()
+}
+
+#[test]
+fn ramps_may_have_rows() {
+    let ramps = [
+        "ramp = \"a.png\"",
+        "ramp = { image = \"a.png\" }",
+        "ramp = { image = \"a.png\", rows = { depth = [2, 20] } }",
+        "ramp = { image = \"a.png\", rows = { facing = 2 } }",
+        "ramp = { image = \"a.png\", rows = { focus = { center = [1, 2, 3], radius = [0, 4] } } }",
+    ];
+    let expected = [
+        RampRows::Middle,
+        RampRows::Middle,
+        RampRows::Depth([2.0, 20.0]),
+        RampRows::Facing(2.0),
+        RampRows::Focus { center: [1.0, 2.0, 3.0], radius: [0.0, 4.0] },
+    ];
+    for (style, rows) in styles("", &ramps).into_iter().zip(expected) {
+        assert_eq!(style.ramp, Ramp::Image(RampImage { path: "a.png".into(), rows }));
+        assert_eq!(style.suits_sprites(), rows == RampRows::Middle);
+    }
+}
+
+#[test]
+fn steps_mix_in_linear_light() {
+    let style = styles("tones = { dark = \"#203040\", light = [1, 0.5, 0.25], steps = 5 }", &[""]).remove(0);
+    let Ramp::Tones(tones) = style.ramp else { panic!("these are tones") };
+    assert_eq!(tones.iter().map(|tone| tone.from).collect::<Vec<_>>(), [0.0, 0.2, 0.4, 0.6, 0.8]);
+    assert_eq!(tones[0].colour, srgb(0x203040));
+    assert_eq!(tones[4].colour.linear, [1.0, 0.5, 0.25]);
+    let [dark, middle, light] = [0, 2, 4].map(|step| tones[step].colour.linear);
+    for channel in 0..3 {
+        assert!((2.0 * middle[channel] - dark[channel] - light[channel]).abs() < 1e-6);
+    }
+}
+
+#[test]
+fn shadings_are_laid_over_each_other() {
+    let scene = "gooch = { cool = \"#102030\" }, highlight = { gloss = 9 }, exaggerate = { amount = 0.5 }";
+    let all = styles(
+        scene,
+        &[
+            "",
+            "gooch = { beta = 0.4 }, highlight = { from = 0.5 }, exaggerate = { scales = 2 }",
+            "tones = [\"#ffffff\"], highlight = { on = false }, exaggerate = { amount = 0 }",
+        ],
+    );
+    let gooch = Gooch { cool: srgb(0x102030), ..Gooch::default() };
+    assert_eq!(all[0].ramp, Ramp::Gooch(gooch));
+    assert_eq!(all[0].highlight, Highlight { on: true, gloss: 9.0, ..Highlight::default() });
+    assert_eq!(all[1].ramp, Ramp::Gooch(Gooch { beta: 0.4, ..gooch }));
+    assert_eq!((all[1].highlight.gloss, all[1].highlight.from), (9.0, 0.5));
+    assert_eq!((all[1].exaggerate.amount, all[1].exaggerate.scales), (0.5, 2));
+    assert!(!all[2].highlight.on && all[2].suits_sprites());
+}
+
+#[test]
 fn every_key_of_smoke_reaches_it() {
     let scene = good(include_str!("good/everything.toml"));
     let Smoke { emitters, forces } = smoke(&scene);
@@ -158,7 +241,11 @@ fn a_chosen_style_takes_the_place_of_the_scenes() {
     assert_eq!(preset.form, 0.25, "an override still comes on top");
     let own = "preset = \"flat\"\nramp = \"ramp.png\"\n";
     let file = load(StyleChoice::Text { name: "styles/own.style.toml", toml: own });
-    assert_eq!(file.ramp, Ramp::Image("styles/ramp.png".into()), "paths go from the style file");
+    assert_eq!(
+        file.ramp,
+        Ramp::Image(RampImage { path: "styles/ramp.png".into(), rows: RampRows::Middle }),
+        "paths go from the style file"
+    );
     assert!(!file.shadow.on);
 }
 

@@ -34,12 +34,13 @@ fn is_pre_shaded(scene: &Scene, members: &[usize]) -> bool {
     let only_suns = scene.lights.iter().all(|light| matches!(light.kind, LightKind::Sun { .. }));
     let chosen = |&member: &usize| {
         let style = &scene.objects[member].style;
-        match style.shading {
+        let is_chosen = match style.shading {
             Shading::PreShaded => true,
             Shading::PerPixel => false,
             // Then the two look alike, and copying is the faster.
             Shading::Auto => style.form == 0.0 && style.clean_px == 0.0,
-        }
+        };
+        is_chosen && style.suits_sprites() && !matches!(scene.objects[member].matter, Matter::Mesh(_))
     };
     only_suns && scene.objects.len() <= MAX_OBJECTS && !members.is_empty() && members.iter().all(chosen)
 }

@@ -13,7 +13,7 @@ use crate::{
     proof::Proof,
     shapes::mesh,
     shapes::puffs::{Body, FRONT, Form, INK, Normal, Occlusion, PuffScene, Pyramid, QUADS, REST, Subject},
-    tone::{CEL_FORMAT, Canvas, Compose, Copied, Flat, Inked, Sprites, Under},
+    tone::{CEL_FORMAT, Canvas, Compose, Copied, Features, Flat, Inked, Sprites, Under},
 };
 
 /// Shadows are cleaned over this many times the length that tones are: their specks come of single puffs,
@@ -54,6 +54,7 @@ struct Setting<'a> {
     player: &'a Player,
     view: View,
     lights: LightsUniform,
+    features: Features,
     samples: u32,
 }
 
@@ -135,7 +136,9 @@ impl Painter {
         let scene = player.scene();
         let shadows = scene.objects.iter().any(|object| object.visible && object.style.shadow.on);
         let lights = LightsUniform::new(&scene.lights, shadows);
-        Setting { player, view, lights, samples: shot.antialias }
+        let features = Features::of(&scene.objects, player.meshes.vertex_count > 0);
+        self.flat.prepare(gpu, features);
+        Setting { player, view, lights, features, samples: shot.antialias }
     }
 
     /// Draws one cel over what lies under it. Answers with the layers it filled.
@@ -239,7 +242,7 @@ impl Painter {
         let normal = self.normal.record(frame, subject, layers, step);
         let normal =
             if radius == 0 { normal } else { self.soften.record(frame, &setting.view, normal, radius, step) };
-        self.flat.record(frame, subject, layers, (&normal, shadow), (step, ramps), canvas);
+        self.flat.record(frame, subject, layers, (&normal, shadow), (step, ramps, setting.features), canvas);
     }
 
     fn make_room(&mut self, gpu: &Gpu, scene: &PuffScene, size: [u32; 2]) {

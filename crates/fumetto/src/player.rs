@@ -3,7 +3,7 @@
 use std::{collections::BTreeMap, ops::Range};
 
 use fumetto_formats::{Model, ModelOptions, is_sequence, sequence_path};
-use fumetto_scene::{Matter, Mesh, Object, Particle, Puffs, Ramp, Scene};
+use fumetto_scene::{Matter, Mesh, Object, Particle, Puffs, Ramp, RampImage, Scene, Style};
 
 use crate::{
     Assets, Error,
@@ -81,7 +81,7 @@ impl Player {
         let mut geometry = Geometry::default();
         for (index, object) in (0..).zip(&scene.objects) {
             let matter = match &object.matter {
-                Matter::Mesh(mesh) => play_mesh(mesh, &*assets, &mut geometry, &mut notes)?,
+                Matter::Mesh(mesh) => play_mesh(mesh, &object.style, &*assets, &mut geometry, &mut notes)?,
                 _ => {
                     geometry.add_nothing();
                     play_matter(gpu, &scene, object, index, &*assets, first_frame, &mut notes)?
@@ -239,6 +239,7 @@ fn seed_of(scene: &Scene, index: u32) -> u32 {
 
 fn play_mesh(
     mesh: &Mesh,
+    style: &Style,
     assets: &dyn Assets,
     geometry: &mut Geometry,
     notes: &mut Vec<String>,
@@ -246,6 +247,9 @@ fn play_mesh(
     let model = load_model(assets, &mesh.model, ModelOptions { smooth_degrees: mesh.smooth_deg })?;
     notes.extend(model.notes.iter().cloned());
     let parts = geometry.add(mesh, &model);
+    if style.exaggerate.amount > 0.0 {
+        geometry.smooth(&parts, style.exaggerate.scales);
+    }
     Ok(PlayedMatter::Model(Box::new(PlayedModel { mesh: mesh.clone(), model, parts })))
 }
 
@@ -304,21 +308,13 @@ fn load_ramps(gpu: &Gpu, scene: &Scene, assets: &dyn Assets) -> Result<Ramps, Er
     // Objects often share a ramp image; each file is read once.
     let mut images = BTreeMap::new();
     for object in &scene.objects {
-        if let Ramp::Image(path) = &object.style.ramp
+        if let Ramp::Image(RampImage { path, .. }) = &object.style.ramp
             && !images.contains_key(path)
         {
             images.insert(path.clone(), load_image(assets, path)?);
         }
     }
-    let ramps: Vec<_> = scene
-        .objects
-        .iter()
-        .map(|object| match &object.style.ramp {
-            Ramp::Image(path) => (&object.style.ramp, images.get(path).cloned()),
-            Ramp::Tones(_) => (&object.style.ramp, None),
-        })
-        .collect();
-    Ok(Ramps::new(gpu, &ramps))
+    Ok(Ramps::new(gpu, &scene.objects, &images))
 }
 
 fn load_backdrop(gpu: &Gpu, scene: &Scene, assets: &dyn Assets) -> Result<Backdrop, Error> {

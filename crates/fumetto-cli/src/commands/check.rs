@@ -8,7 +8,7 @@ use fumetto::Assets as _;
 use fumetto_formats::{
     FormatError, ModelOptions, is_sequence, read_model, read_particles, read_png, sequence_path,
 };
-use fumetto_scene::{Background, Matter, Mesh, Ramp, Report, Scene, Time};
+use fumetto_scene::{Background, Matter, Mesh, Ramp, RampImage, Report, Scene, Time};
 
 use crate::args::CheckArgs;
 use crate::console;
@@ -115,7 +115,7 @@ fn check(
 fn ramps(scene: &Scene) -> Vec<(&str, String)> {
     let mut ramps: Vec<(&str, String)> = Vec::new();
     for object in &scene.objects {
-        if let Ramp::Image(path) = &object.style.ramp {
+        if let Ramp::Image(RampImage { path, .. }) = &object.style.ramp {
             match ramps.iter_mut().find(|(known, _)| known == path) {
                 Some((_, objects)) => *objects += &format!(", `{}`", object.name),
                 None => ramps.push((path, format!("`{}`", object.name))),

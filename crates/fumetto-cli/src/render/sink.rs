@@ -76,6 +76,8 @@ fn flat_colours(scene: &Scene) -> Vec<[u8; 3]> {
         if let Ramp::Tones(tones) = &object.style.ramp {
             picked.extend(tones.iter().map(|tone| tone.colour));
         }
+        picked.extend(object.style.highlight.on.then_some(object.style.highlight.colour));
+        picked.extend(object.style.rim.on.then_some(object.style.rim.colour));
         picked.push(object.style.ink.colour);
     }
     if let Background::Colour(colour) = scene.background {

@@ -9,6 +9,7 @@ mod ink;
 mod mesh;
 mod object;
 mod puffs;
+mod ramp;
 mod scene;
 mod smoke;
 mod style;

@@ -1,13 +1,13 @@
 use super::At;
 use super::ink::ink;
-use super::tones::tones;
+use super::ramp::{beside, exaggerate, highlight, ramp, rim};
 use crate::file::{ShadingFile, ShadowFile, StyleFile};
 use crate::fit;
 use crate::load::{Resolve, StyleChoice};
 use crate::presets;
 use crate::report::Log;
 use crate::text::parse_document;
-use crate::{Ramp, Shading, Shadow, Style};
+use crate::{Shading, Shadow, Style};
 
 /// Lays styles over each other: built-in values, then a preset or a style file, then changes.
 pub(crate) struct Styles<'a> {
@@ -80,16 +80,8 @@ impl Styles<'_> {
                 "start from a `preset`, or copy the other file's keys",
             );
         }
-        file.ramp = file.ramp.map(|ramp| beside(name, &ramp));
+        file.ramp = file.ramp.map(|ramp| beside(name, ramp));
         self.changed(&at, &file, base)
-    }
-}
-
-/// `path`, which is relative to the file `name`, as a path relative to where `name` is.
-fn beside(name: &str, path: &str) -> String {
-    match name.rfind(['/', '\\']) {
-        Some(end) if !path.starts_with(['/', '\\']) => format!("{}{path}", &name[..=end]),
-        _ => path.to_owned(),
     }
 }
 
@@ -100,20 +92,22 @@ fn unknown_preset(at: &At<'_>, name: &str) {
 
 /// Puts the keys that `file` has into `style`.
 fn apply(at: &At<'_>, file: &StyleFile, style: &mut Style) {
-    match (&file.tones, &file.ramp) {
-        (Some(_), Some(_)) => {
-            let message = "`tones` and `ramp` both say how light turns to colour".to_owned();
-            at.key("ramp").error("conflicting-keys", message, "leave one of them out");
-        }
-        (Some(list), None) => style.ramp = Ramp::Tones(tones(&at.key("tones"), list)),
-        (None, Some(path)) => style.ramp = Ramp::Image(path.clone()),
-        (None, None) => {}
+    ramp(at, file, &mut style.ramp);
+    if let Some(file) = &file.highlight {
+        highlight(&at.key("highlight"), file, &mut style.highlight);
+    }
+    if let Some(file) = &file.rim {
+        rim(&at.key("rim"), file, &mut style.rim);
+    }
+    if let Some(file) = &file.exaggerate {
+        exaggerate(*file, &mut style.exaggerate);
     }
     put(&mut style.form, file.form);
     put(&mut style.form_scale, file.form_scale);
     put(&mut style.wrap, file.wrap);
     put(&mut style.clean_px, file.clean.map(|clean| clean.px));
     put(&mut style.material, file.material);
+    put(&mut style.material_steps, file.material_steps);
     put(&mut style.height_px, file.height);
     put(&mut style.shading, file.shading.map(Shading::from));
     if let Some(file) = &file.ink {
@@ -121,6 +115,12 @@ fn apply(at: &At<'_>, file: &StyleFile, style: &mut Style) {
     }
     if let Some(file) = &file.shadow {
         shadow(file, &mut style.shadow);
+    }
+    if file.shading == Some(ShadingFile::PreShaded) && !style.suits_sprites() {
+        let message = "puffs of this style cannot be pre-shaded".to_owned();
+        let help = "they are shaded per pixel: `gooch`, `highlight`, `rim`, `exaggerate` and the rows of a \
+                    `ramp` need to know from where each pixel is seen";
+        at.key("shading").warning("not-pre-shaded", message, help);
     }
 }
 

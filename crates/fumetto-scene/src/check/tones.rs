@@ -1,11 +1,32 @@
 use super::At;
 use super::values::{colour, hex_colour};
-use crate::file::ToneFile;
+use crate::file::{StepsFile, ToneFile, TonesFile};
 use crate::limits::MAX_TONES;
 use crate::{Colour, Tone};
 
-/// Tones in rising order. Where no tone says where it begins, they share the light evenly.
-pub(super) fn tones(at: &At<'_>, files: &[ToneFile]) -> Vec<Tone> {
+/// Tones in rising order.
+pub(super) fn tones(at: &At<'_>, file: &TonesFile) -> Vec<Tone> {
+    match file {
+        TonesFile::List(files) => list(at, files),
+        TonesFile::Steps(file) => steps(at, file),
+    }
+}
+
+/// From `dark` to `light`, mixed in linear light, where each takes as much of the light.
+fn steps(at: &At<'_>, file: &StepsFile) -> Vec<Tone> {
+    let dark = colour(&at.key("dark"), &file.dark).linear;
+    let light = colour(&at.key("light"), &file.light).linear;
+    let tone = |step: u32| {
+        let share = step as f32 / (file.steps - 1).max(1) as f32;
+        // So written, both ends come out exactly.
+        let mix = |channel: usize| dark[channel] * (1.0 - share) + light[channel] * share;
+        Tone { colour: Colour { linear: [mix(0), mix(1), mix(2)] }, from: step as f32 / file.steps as f32 }
+    };
+    (0..file.steps).map(tone).collect()
+}
+
+/// Where no tone says where it begins, they share the light evenly.
+fn list(at: &At<'_>, files: &[ToneFile]) -> Vec<Tone> {
     let count = files.len();
     if count == 0 || count > MAX_TONES {
         let message = format!("`tones` must have from 1 to {MAX_TONES} colours, not {count}");

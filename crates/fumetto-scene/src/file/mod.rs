@@ -9,6 +9,7 @@ mod object;
 mod scene;
 mod smoke;
 mod style;
+mod tones;
 mod values;
 
 pub use ink::{CreaseFile, HiddenLinesFile, InkFile, InkMethodFile, PenFile, WidthFile};
@@ -16,5 +17,9 @@ pub use mesh::{ScaleFile, TransformFile, UpFile};
 pub use object::{ObjectFile, ObjectKind, ParticleFile, ParticlesFile, PuffsFile, ShapeFile};
 pub use scene::{BackgroundFile, CameraFile, LightFile, OutputFile, SceneFile, TimeFile};
 pub use smoke::{BurstFile, EmitterFile, EmitterShapeFile, ForceFile};
-pub use style::{PixelsFile, PlacedToneFile, ShadingFile, ShadowFile, StyleFile, ToneFile};
+pub use style::{PixelsFile, ShadingFile, ShadowFile, StyleFile};
+pub use tones::{
+    ExaggerateFile, FocusFile, GoochFile, HighlightFile, PlacedToneFile, RampFile, RampImageFile,
+    RampRowsFile, RimFile, StepsFile, ToneFile, TonesFile,
+};
 pub use values::{ColourFile, CurveFile, OneOrMany, RangeFile};

@@ -1,7 +1,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{ColourFile, InkFile};
+use super::{ExaggerateFile, GoochFile, HighlightFile, InkFile, RampFile, RimFile, TonesFile};
 use crate::limits;
 
 /// How an object is drawn. Keys that are left out keep what the preset, or the scene's style, says.
@@ -13,10 +13,20 @@ pub struct StyleFile {
     /// A style file to start from, relative to the scene file; it holds the keys of this table.
     pub file: Option<String>,
     /// Flat colours from dark to light, 1 to 32: each a colour, or `{ colour = …, from = … }` with the
-    /// amount of light from which it is drawn. Excludes `ramp`.
-    pub tones: Option<Vec<ToneFile>>,
-    /// A PNG whose columns run from dark to light, relative to this file. Excludes `tones`.
-    pub ramp: Option<String>,
+    /// amount of light from which it is drawn; or `{ dark = …, light = …, steps = … }`. Excludes `ramp`
+    /// and `gooch`.
+    pub tones: Option<TonesFile>,
+    /// A PNG whose columns run from dark to light, relative to this file; or `{ image = …, rows = … }`
+    /// where its rows count too. Excludes `tones` and `gooch`.
+    pub ramp: Option<RampFile>,
+    /// Smooth shading from a cool to a warm colour. Excludes `tones` and `ramp`.
+    pub gooch: Option<GoochFile>,
+    /// A flat highlight on what is lit.
+    pub highlight: Option<HighlightFile>,
+    /// A flat line of light where the surface turns away from the viewer.
+    pub rim: Option<RimFile>,
+    /// Shading that brings out relief of all sizes.
+    pub exaggerate: Option<ExaggerateFile>,
     /// How far normals bend from the puff's own (0) to the whole cloud's (1).
     #[schemars(transform = &limits::SHARE)]
     pub form: Option<f32>,
@@ -32,6 +42,9 @@ pub struct StyleFile {
     /// fully (1).
     #[schemars(transform = &limits::SHARE)]
     pub material: Option<f32>,
+    /// Colours of a mesh are brought to this many values and strengths of each hue, 1 to 32; 0 keeps them.
+    #[schemars(transform = &limits::MATERIAL_STEPS)]
+    pub material_steps: Option<u32>,
     /// How tones get onto puffs.
     pub shading: Option<ShadingFile>,
     /// Lines.
@@ -42,29 +55,6 @@ pub struct StyleFile {
     /// scale with it.
     #[schemars(transform = &limits::PICTURE_PX)]
     pub height: Option<f32>,
-}
-
-/// One flat colour.
-#[derive(Clone, Debug, Deserialize, JsonSchema, PartialEq, Serialize)]
-#[serde(untagged)]
-pub enum ToneFile {
-    /// Six hexadecimal digits of sRGB after a `#`.
-    Hex(#[schemars(regex(pattern = "^#[0-9a-fA-F]{6}$"))] String),
-    /// Red, green and blue, linear, from 0 to 1.
-    Linear(#[schemars(transform = &limits::SHARE)] [f32; 3]),
-    /// A colour and where it begins.
-    Placed(PlacedToneFile),
-}
-
-/// A colour and where it begins.
-#[derive(Clone, Debug, Deserialize, JsonSchema, PartialEq, Serialize)]
-#[serde(deny_unknown_fields)]
-pub struct PlacedToneFile {
-    /// What is drawn.
-    pub colour: ColourFile,
-    /// From this amount of light upward, 0 to 1; 0 for the darkest, rising from tone to tone.
-    #[schemars(transform = &limits::SHARE)]
-    pub from: f32,
 }
 
 /// A length in pixels.

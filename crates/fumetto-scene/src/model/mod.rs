@@ -13,6 +13,7 @@ mod puffs;
 mod scene;
 mod smoke;
 mod style;
+mod tones;
 
 pub use camera::Camera;
 pub use colour::Colour;
@@ -26,4 +27,5 @@ pub use particle::Particle;
 pub use puffs::Puffs;
 pub use scene::{Background, Output, Scene, Time};
 pub use smoke::{Burst, Emitter, EmitterShape, Force, Smoke};
-pub use style::{Ramp, Shading, Shadow, Style, Tone};
+pub use style::{Shading, Shadow, Style};
+pub use tones::{Exaggerate, Gooch, Highlight, Ramp, RampImage, RampRows, Rim, Tone};

@@ -1,10 +1,16 @@
-use crate::{Colour, Ink};
+use crate::{Colour, Exaggerate, Highlight, Ink, Ramp, RampImage, RampRows, Rim, Tone};
 
 /// How an object is drawn.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Style {
     /// From light to colour.
     pub ramp: Ramp,
+    /// A flat highlight on what is lit.
+    pub highlight: Highlight,
+    /// A flat line of light where the surface turns away from the viewer.
+    pub rim: Rim,
+    /// Shading that brings out relief of all sizes.
+    pub exaggerate: Exaggerate,
     /// How far normals bend from the puff's own (0) to the whole cloud's (1).
     pub form: f32,
     /// Width of the lobes that `form` sees, in mean particle radii; above zero.
@@ -16,6 +22,8 @@ pub struct Style {
     /// How much of its own colours a mesh shows: tones are multiplied by them, from not at all (0) to
     /// fully (1).
     pub material: f32,
+    /// Values and strengths of each hue that a mesh's own colours are brought to; 0 keeps all.
+    pub material_steps: u32,
     /// How tones get onto puffs.
     pub shading: Shading,
     /// Lines.
@@ -27,22 +35,17 @@ pub struct Style {
     pub height_px: f32,
 }
 
-/// From the amount of light, 0 to 1, to a flat colour.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Ramp {
-    /// Dark to light, 1 to 32.
-    Tones(Vec<Tone>),
-    /// A PNG whose columns run from dark to light.
-    Image(String),
-}
-
-/// One flat colour.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Tone {
-    /// What is drawn.
-    pub colour: Colour,
-    /// From this amount of light upward; 0 for the darkest, rising from tone to tone.
-    pub from: f32,
+impl Style {
+    /// Whether puffs can be shaded once and then copied: the amount of light alone decides about colours.
+    #[must_use]
+    pub fn suits_sprites(&self) -> bool {
+        let by_light_alone = match &self.ramp {
+            Ramp::Tones(_) => true,
+            Ramp::Image(RampImage { rows, .. }) => *rows == RampRows::Middle,
+            Ramp::Gooch(_) => false,
+        };
+        by_light_alone && !self.highlight.on && !self.rim.on && self.exaggerate.amount == 0.0
+    }
 }
 
 /// How tones get onto puffs.
@@ -76,11 +79,15 @@ impl Default for Style {
         let tone = |srgb, from| Tone { colour: Colour::from_srgb8(srgb), from };
         Self {
             ramp: Ramp::Tones(vec![tone([0x80; 3], 0.0), tone([0xff; 3], 0.5)]),
+            highlight: Highlight::default(),
+            rim: Rim::default(),
+            exaggerate: Exaggerate::default(),
             form: 0.0,
             form_scale: 3.0,
             wrap: 0.0,
             clean_px: 0.0,
             material: 1.0,
+            material_steps: 0,
             shading: Shading::Auto,
             ink: Ink::default(),
             shadow: Shadow::default(),

@@ -1,6 +1,8 @@
 //! Light to flat colour.
 
-use super::{Canvas, Ramps};
+use std::collections::BTreeMap;
+
+use super::{Canvas, Features, Ramps};
 use crate::{
     gpu::{Frame, Gpu, RasterPipeline, Transient, linear_sampler, shader},
     layers::{self, Layers},
@@ -10,48 +12,57 @@ use crate::{
 /// A cel: sRGB as it will be in the picture, straight alpha.
 pub(crate) const CEL_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 
-/// The long-lived pipeline.
+/// Long-lived pipelines.
 #[derive(Debug)]
 pub(crate) struct Flat {
-    /// For cels of puffs alone, and for those that may show triangles; of either, for a cel of its own and for
-    /// the picture.
-    pipelines: [[wgpu::RenderPipeline; 2]; 2],
+    module: wgpu::ShaderModule,
+    pipelines: BTreeMap<Features, wgpu::RenderPipeline>,
     linear: wgpu::Sampler,
 }
 
 impl Flat {
     pub(crate) fn new(gpu: &Gpu) -> Self {
         let module = gpu.device.create_shader_module(shader!("tone/flat"));
-        let build = |has_meshes, is_picture| {
-            let pipeline = RasterPipeline {
-                label: "tone.flat",
-                targets: &[CEL_FORMAT],
-                depth: Some(layers::where_filled()),
-                constants: &[("HAS_MESHES", has_meshes), ("IS_PICTURE", is_picture)],
-                ..Default::default()
-            };
-            pipeline.build(&gpu.device, &module)
-        };
-        let pipelines =
-            [0.0, 1.0].map(|has_meshes| [0.0, 1.0].map(|is_picture| build(has_meshes, is_picture)));
-        Self { pipelines, linear: linear_sampler(gpu) }
+        let mut flat = Self { module, pipelines: BTreeMap::new(), linear: linear_sampler(gpu) };
+        for features in Features::PLAIN {
+            flat.prepare(gpu, features);
+        }
+        flat
     }
 
-    /// Paints what the layers show onto `canvas`; `step` pixels make a texel of the normal layer.
+    /// Makes the pipelines for what a scene needs, for a cel of its own and for the picture.
+    pub(crate) fn prepare(&mut self, gpu: &Gpu, features: Features) {
+        for features in [features, features.for_picture()] {
+            self.pipelines.entry(features).or_insert_with(|| {
+                let pipeline = RasterPipeline {
+                    label: "tone.flat",
+                    targets: &[CEL_FORMAT],
+                    depth: Some(layers::where_filled()),
+                    constants: &features.constants(),
+                    ..Default::default()
+                };
+                pipeline.build(&gpu.device, &self.module)
+            });
+        }
+    }
+
+    /// Paints what the layers show onto `canvas`; `step` pixels make a texel of the normal layer, and
+    /// `features` are prepared.
     pub(crate) fn record(
         &self,
         frame: &mut Frame<'_>,
         subject: Subject<'_>,
         layers: &Layers,
         (normal, shadow): (&Transient, &Transient),
-        (step, ramps): (u32, &Ramps),
+        (step, ramps, features): (u32, &Ramps, Features),
         canvas: Canvas<'_>,
     ) {
         let sampling = frame.uniform("tone.flat.sampling", &[step, 0, 0, 0]);
         let meshes = subject.meshes;
+        let features = if canvas.is_picture { features.for_picture() } else { features };
         frame.fullscreen(
             "tone.flat",
-            &self.pipelines[usize::from(meshes.vertex_count > 0)][usize::from(canvas.is_picture)],
+            &self.pipelines[&features],
             canvas.target().with_depth_test(&layers.depth),
             &[
                 subject.view.as_entire_binding(),
@@ -71,6 +82,8 @@ impl Flat {
                 meshes.parts.as_entire_binding(),
                 wgpu::BindingResource::TextureView(&meshes.textures),
                 wgpu::BindingResource::Sampler(&meshes.sampler),
+                meshes.smoothed.as_entire_binding(),
+                ramps.tones.as_entire_binding(),
             ],
         );
     }

@@ -7,6 +7,7 @@ mod copied;
 mod flat;
 mod ramps;
 mod sprites;
+mod tones;
 
 pub(crate) use backdrop::Backdrop;
 pub(crate) use canvas::Canvas;
@@ -15,3 +16,4 @@ pub(crate) use copied::Copied;
 pub(crate) use flat::{CEL_FORMAT, Flat};
 pub(crate) use ramps::Ramps;
 pub(crate) use sprites::{MAX_OBJECTS, Sprites};
+pub(crate) use tones::Features;

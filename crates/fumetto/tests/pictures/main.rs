@@ -10,6 +10,7 @@ mod light;
 mod meshes;
 mod models;
 mod occlusion;
+mod shadings;
 mod shadows;
 mod stage;
 mod time;

@@ -57,7 +57,8 @@ fn object_json(object: &Object, load: &Load) -> Value {
 fn style_json(style: &Style) -> Value {
     let (tones, ramp) = match &style.ramp {
         Ramp::Tones(tones) => (tones.iter().map(|tone| hex(tone.colour.to_srgb8())).collect(), None),
-        Ramp::Image(path) => (Vec::new(), Some(path)),
+        Ramp::Image(ramp) => (Vec::new(), Some(&ramp.path)),
+        Ramp::Gooch(gooch) => ([gooch.cool, gooch.warm].map(|colour| hex(colour.to_srgb8())).to_vec(), None),
     };
     let shading = match style.shading {
         Shading::Auto => "auto",

@@ -83,7 +83,10 @@ fn style_words(style: &Style) -> String {
             let colours: Vec<String> = tones.iter().map(|tone| hex(tone.colour.to_srgb8())).collect();
             format!("tones {}", colours.join(" "))
         }
-        Ramp::Image(path) => format!("ramp {path}"),
+        Ramp::Image(ramp) => format!("ramp {}", ramp.path),
+        Ramp::Gooch(gooch) => {
+            format!("from cool {} to warm {}", hex(gooch.cool.to_srgb8()), hex(gooch.warm.to_srgb8()))
+        }
     };
     let ink = match (style.ink.on, style.ink.width) {
         (false, _) => "no ink".to_owned(),

@@ -8,6 +8,8 @@ use fumetto_scene::{Mesh, Transform};
 use glam::{EulerRot, Mat4, Quat, Vec3};
 use half::f16;
 
+use super::smooth::MAX_SCALES;
+
 /// `Source` of `mesh.wgsl`.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
@@ -48,6 +50,8 @@ pub(crate) struct Geometry {
     pub(crate) sources: Vec<Source>,
     pub(crate) triangles: Vec<Triangle>,
     pub(crate) parts: Vec<Part>,
+    /// Smoothed normals of each source, as far as any object wants them.
+    pub(crate) smoothed: Vec<[u32; MAX_SCALES]>,
     pub(crate) textures: Vec<Image>,
     /// Each object's triangles, by its number.
     pub(crate) objects: Vec<Range<u32>>,

@@ -44,3 +44,13 @@ const DOUBLE_SIDED: u32 = 16u;
 
 // Numbers in the id layer with this bit are of triangles.
 const TRIANGLE_BIT: u32 = 0x80000000u;
+
+// A normal of a part, in the world, of any length: normals go by the cofactors, which also hold where a scale
+// is 0 or negative.
+fn turned_normal(world: mat4x4f, normal: vec3f) -> vec3f {
+    let x = cross(world[1].xyz, world[2].xyz);
+    let y = cross(world[2].xyz, world[0].xyz);
+    let z = cross(world[0].xyz, world[1].xyz);
+    let mirrored = select(1.0, -1.0, dot(world[0].xyz, x) < 0.0);
+    return mirrored * (x * normal.x + y * normal.y + z * normal.z);
+}

@@ -4,6 +4,7 @@ mod body;
 mod geometry;
 mod place;
 mod scene;
+mod smooth;
 mod textures;
 
 pub(crate) use body::Body;

@@ -17,6 +17,9 @@ pub(crate) struct MeshScene {
     /// `Vertex`s of `mesh.wgsl`, one for each source.
     pub(crate) vertices: wgpu::Buffer,
     pub(crate) vertex_count: u32,
+    /// For each of the first sources, its normal smoothed more and more; of an object that wants none,
+    /// whatever.
+    pub(crate) smoothed: wgpu::Buffer,
     /// `Triangle`s of `mesh.wgsl`.
     pub(crate) triangles: wgpu::Buffer,
     /// `Part`s of `mesh.wgsl`.
@@ -49,7 +52,7 @@ impl MeshScene {
             let allowed = gpu.device.limits().max_storage_buffer_binding_size;
             if asked > allowed { Err(MeshError { what, asked, allowed }) } else { Ok(asked) }
         };
-        let Geometry { sources, triangles, parts, .. } = geometry;
+        let Geometry { sources, triangles, parts, smoothed, .. } = geometry;
         let source_bytes = room("vertices", sources.len(), size_of::<Source>())?;
         let triangle_bytes = room("triangles", triangles.len(), size_of::<Triangle>())?;
         let part_bytes = room("parts", parts.len(), size_of::<Part>())?;
@@ -65,6 +68,7 @@ impl MeshScene {
         let scene = Self {
             sources: buffer("shapes.mesh.sources", source_bytes),
             vertices: buffer("shapes.mesh.vertices", sources.len().max(1) as u64 * VERTEX_BYTES),
+            smoothed: buffer("shapes.mesh.smoothed", size_of_val(&smoothed[..]).max(4) as u64),
             vertex_count: sources.len() as u32,
             triangles: buffer("shapes.mesh.triangles", triangle_bytes),
             parts: buffer("shapes.mesh.parts", part_bytes),
@@ -74,6 +78,7 @@ impl MeshScene {
             has_holes: geometry.has_holes,
         };
         gpu.queue.write_buffer(&scene.sources, 0, bytemuck::cast_slice(sources));
+        gpu.queue.write_buffer(&scene.smoothed, 0, bytemuck::cast_slice(smoothed));
         gpu.queue.write_buffer(&scene.triangles, 0, bytemuck::cast_slice(triangles));
         scene.upload_parts(gpu, parts);
         Ok(scene)

@@ -6,6 +6,10 @@ struct MeshSurface {
     // Linear; straight alpha.
     colour: vec4f,
     part: u32,
+    corners: vec3u,
+    weights: vec3f,
+    // 1 where the front is seen, else -1.
+    side: f32,
 }
 
 // Weights of a triangle's corners where the ray from the camera meets it (Möller & Trumbore 1997); kept
@@ -43,7 +47,8 @@ fn mesh_surface(number: u32, px: vec2f) -> MeshSurface {
     let weights = corner_weights(a.position, b.position, c.position, ray);
     let normals = mat3x3f(octahedral_unpacked(a.normal), octahedral_unpacked(b.normal), octahedral_unpacked(c.normal));
     let behind = dot(cross(b.position - a.position, c.position - a.position), ray) > 0.0;
-    let normal = normalize(normals * weights) * select(1.0, -1.0, behind);
+    let side = select(1.0, -1.0, behind);
+    let normal = normalize(normals * weights) * side;
     let sources_of = array(sources[corners.x], sources[corners.y], sources[corners.z]);
     let colours = mat3x4f(source_colour(sources_of[0]), source_colour(sources_of[1]), source_colour(sources_of[2]));
     var colour = part.colour * (colours * weights);
@@ -53,7 +58,7 @@ fn mesh_surface(number: u32, px: vec2f) -> MeshSurface {
         let below = corner_weights(a.position, b.position, c.position, world_ray(px + vec2f(0.0, 1.0)));
         colour *= texture_at(part, uvs * weights, uvs * right, uvs * below);
     }
-    return MeshSurface(normal, colour, triangle.part);
+    return MeshSurface(normal, colour, triangle.part, corners, weights, side);
 }
 
 fn source_colour(source: Source) -> vec4f {
