@@ -6,7 +6,7 @@ use crate::{
     Player, Shot,
     cels::{Cel, cels},
     gpu::{Compact, DrawList, Frame, Gpu, Listing, TexturePool, Transient, View},
-    ink::{Gather, MAX_PENS, Outline, Pen},
+    ink::{Angle, Gather, Image, MAX_PENS, Methods, Outline, Pen, Shell},
     layers::Layers,
     light::{Casting, LightsUniform, Shadows, Soften},
     object::ObjectStyle,
@@ -31,6 +31,9 @@ pub(crate) struct Painter {
     shadows: Shadows,
     soften: Soften,
     outline: Outline,
+    angle: Angle,
+    shell: Shell,
+    image: Image,
     gather: Gather,
     flat: Flat,
     sprites: Sprites,
@@ -70,6 +73,9 @@ impl Painter {
             shadows: Shadows::new(gpu),
             soften: Soften::new(gpu),
             outline: Outline::new(gpu),
+            angle: Angle::new(gpu),
+            shell: Shell::new(gpu),
+            image: Image::new(gpu),
             gather: Gather::new(gpu),
             flat: Flat::new(gpu),
             sprites: Sprites::new(gpu),
@@ -124,7 +130,7 @@ impl Painter {
         let layers = self.fill(&mut frame, subject, room, (&cel.members, setting.view.size), None);
         self.form.record(&mut frame, subject.scene, &cel.members);
         let normal = self.normal.record(&mut frame, subject, &layers, 1);
-        let ink = self.outline.record(&mut frame, subject, &room.inks, &layers);
+        let ink = self.ink(&mut frame, subject, &setting, &cel, (&layers, &room.inks));
         frame.submit();
         Proof { depth: layers.depth, id: layers.id, normal, ink }
     }
@@ -166,7 +172,7 @@ impl Painter {
             self.compose.lay(frame, under, layers.size, target);
         }
         self.tone(frame, subject, setting, cel, (&layers, &shadow), canvas);
-        let ink = self.outline.record(frame, subject, &room.inks, &layers);
+        let ink = self.ink(frame, subject, setting, cel, (&layers, &room.inks));
         let around = self.gather.record(frame, &ink, layers.size, setting.ink_length_px());
         let inked = Inked { ink: &ink, around: &around };
         match own {
@@ -243,6 +249,28 @@ impl Painter {
         let normal =
             if radius == 0 { normal } else { self.soften.record(frame, &setting.view, normal, radius, step) };
         self.flat.record(frame, subject, layers, (&normal, shadow), (step, ramps, setting.features), canvas);
+    }
+
+    /// Draws lines, each object's as its style finds them.
+    fn ink(
+        &self,
+        frame: &mut Frame<'_>,
+        subject: Subject<'_>,
+        setting: &Setting<'_>,
+        cel: &Cel,
+        (layers, inks): (&Layers, &DrawList),
+    ) -> Transient {
+        let objects = &setting.player.scene().objects;
+        let methods = Methods::of(objects, &cel.members, setting.view.size[1]);
+        let ink = self.outline.record(frame, subject, inks, layers);
+        if methods.angle {
+            self.form.record(frame, subject.scene, &cel.members);
+            let normal = self.normal.record(frame, subject, layers, 1);
+            self.angle.record(frame, subject, layers, &normal, &ink);
+        }
+        self.shell.record(frame, subject, &methods.shells, layers, &ink);
+        self.image.record(frame, subject, &methods, layers, &ink);
+        ink
     }
 
     fn make_room(&mut self, gpu: &Gpu, scene: &PuffScene, size: [u32; 2]) {

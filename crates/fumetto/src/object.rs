@@ -1,6 +1,6 @@
 //! How each object is drawn, as shaders take it.
 
-use fumetto_scene::{EdgeKind, Object, Width, limits};
+use fumetto_scene::{EdgeKind, InkMethod, Object, Width, limits};
 
 /// `ObjectStyle` of `object.wgsl`.
 #[repr(C)]
@@ -21,7 +21,9 @@ pub(crate) struct ObjectStyle {
     flags: u32,
     form_scale: f32,
     material: f32,
-    pad: f32,
+    ink_facing: f32,
+    ink_crease: f32,
+    pad: [f32; 3],
 }
 
 /// Objects that there is room for. Also in `object.wgsl`.
@@ -32,6 +34,9 @@ const _: () = assert!(limits::MAX_OBJECTS <= MAX_OBJECTS, "every object of a sce
 const HAS_INK: u32 = 1;
 const THROWS_SHADOW: u32 = 2;
 const IN_CEL: u32 = 4;
+const ANGLE_INK: u32 = 8;
+const IMAGE_INK: u32 = 16;
+const HYBRID_INK: u32 = 32;
 
 impl ObjectStyle {
     /// The style of `object`, the scene's `index`-th, in a picture `height_px` samples high.
@@ -41,6 +46,12 @@ impl ObjectStyle {
         let (ink_width_px, ink_width_m) = match style.ink.width_of(EdgeKind::Silhouette) {
             Width::Px(px) => (px * scale, 0.0),
             Width::World(metres) => (0.0, metres),
+        };
+        let method = match style.ink.method {
+            InkMethod::Angle => ANGLE_INK,
+            InkMethod::Image => IMAGE_INK,
+            InkMethod::Hybrid => HYBRID_INK,
+            InkMethod::Shell | InkMethod::Vector => 0,
         };
         let flag = |on, bit| if on { bit } else { 0 };
         Self {
@@ -56,12 +67,15 @@ impl ObjectStyle {
             shadow_reach: style.shadow.reach,
             shadow_start: style.shadow.start,
             shadow_size: style.shadow.size,
-            flags: flag(style.ink.on && style.ink.silhouette.on, HAS_INK)
+            flags: flag(style.ink.on && style.ink.silhouette.on && method & (ANGLE_INK | IMAGE_INK) == 0, HAS_INK)
+                | flag(style.ink.on, method)
                 | flag(style.shadow.on && object.visible, THROWS_SHADOW)
                 | flag(in_cel, IN_CEL),
             form_scale: style.form_scale,
             material: style.material,
-            pad: 0.0,
+            ink_facing: style.ink.facing,
+            ink_crease: style.ink.crease_deg.to_radians().cos(),
+            pad: [0.0; 3],
         }
     }
 }
@@ -71,5 +85,5 @@ mod tests {
     use super::*;
     use crate::gpu::layout_test;
 
-    layout_test!(lies_as_its_twin: ObjectStyle, "ObjectStyle" of "tone/flat" { ink_width_px, ink_width_m, ink_offset, ink_inner, ink_lit_thinning, form, wrap, opacity, ramp_row, shadow_reach, shadow_start, shadow_size, flags, form_scale, material });
+    layout_test!(lies_as_its_twin: ObjectStyle, "ObjectStyle" of "tone/flat" { ink_width_px, ink_width_m, ink_offset, ink_inner, ink_lit_thinning, form, wrap, opacity, ramp_row, shadow_reach, shadow_start, shadow_size, flags, form_scale, material, ink_facing, ink_crease });
 }

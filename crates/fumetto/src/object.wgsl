@@ -16,17 +16,25 @@ struct ObjectStyle {
     shadow_reach: f32,
     shadow_start: f32,
     shadow_size: f32,
-    // Bit 0: has ink. Bit 1: throws shadows. Bit 2: is drawn in this cel.
+    // Bit 0: has ink billboards. Bit 1: throws shadows. Bit 2: is drawn in this cel. Bits 3 to 5: how else
+    // its lines are found.
     flags: u32,
     form_scale: f32,
     // Share of a mesh's own colours.
     material: f32,
-    pad: f32,
+    // Cosine between the surface and the viewer under which there is ink.
+    ink_facing: f32,
+    // Cosine of the angle above which faces make a crease.
+    ink_crease: f32,
+    pad: vec2f,
 }
 
 const HAS_INK: u32 = 1u;
 const THROWS_SHADOW: u32 = 2u;
 const IN_CEL: u32 = 4u;
+const ANGLE_INK: u32 = 8u;
+const IMAGE_INK: u32 = 16u;
+const HYBRID_INK: u32 = 32u;
 
 // Objects that there is room for.
 const MAX_OBJECTS: u32 = 64u;

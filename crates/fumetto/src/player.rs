@@ -3,7 +3,9 @@
 use std::{collections::BTreeMap, ops::Range};
 
 use fumetto_formats::{Model, ModelOptions, is_sequence, sequence_path};
-use fumetto_scene::{Matter, Mesh, Object, Particle, Puffs, Ramp, RampImage, Scene, Style};
+use fumetto_scene::{
+    InkMethod, Matter, Mesh, Object, Particle, Puffs, Ramp, RampImage, Scene, Style,
+};
 
 use crate::{
     Assets, Error,
@@ -97,6 +99,11 @@ impl Player {
                 seed: seed_of(&scene, index),
             };
             objects.push(PlayedObject { matter, placement, capacity });
+        }
+        for (index, object) in scene.objects.iter().enumerate() {
+            if object.style.ink.method == InkMethod::Shell {
+                geometry.find_pushes(index);
+            }
         }
         let puffs = place(gpu, &scene, &mut objects, atlas)?;
         let meshes = MeshScene::new(gpu, &geometry)?;

@@ -8,7 +8,11 @@ use fumetto_scene::{Mesh, Transform};
 use glam::{EulerRot, Mat4, Quat, Vec3};
 use half::f16;
 
-use super::smooth::MAX_SCALES;
+use super::{
+    push::{Push, pushes},
+    smooth::MAX_SCALES,
+    weld::{bodies, weld},
+};
 
 /// `Source` of `mesh.wgsl`.
 #[repr(C)]
@@ -52,6 +56,10 @@ pub(crate) struct Geometry {
     pub(crate) parts: Vec<Part>,
     /// Smoothed normals of each source, as far as any object wants them.
     pub(crate) smoothed: Vec<[u32; MAX_SCALES]>,
+    /// For each triangle, a number that it shares with those that it hangs together with.
+    pub(crate) bodies: Vec<u32>,
+    /// How each of the first vertices moves when its object gets larger all round, as far as any wants that.
+    pub(crate) pushes: Vec<Push>,
     pub(crate) textures: Vec<Image>,
     /// Each object's triangles, by its number.
     pub(crate) objects: Vec<Range<u32>>,
@@ -78,7 +86,31 @@ impl Geometry {
         self.textures.extend(model.textures.iter().cloned());
         self.materials += model.materials.len() as u32;
         self.objects.push(first_triangle..self.triangles.len() as u32);
+        let vertices = self.vertices(object as usize);
+        let welded = weld(&self.sources[vertices.clone()], &self.parts);
+        let triangles = &self.triangles[first_triangle as usize..];
+        self.bodies.extend(bodies(triangles, &welded, vertices.start as u32));
         first_part..self.parts.len()
+    }
+
+    /// Works out how the vertices of an object move when it gets larger all round.
+    pub(crate) fn find_pushes(&mut self, object: usize) {
+        let vertices = self.vertices(object);
+        let sources = &self.sources[vertices.clone()];
+        let Range { start, end } = self.objects[object];
+        let triangles = &self.triangles[start as usize..end as usize];
+        let found = pushes(sources, triangles, &weld(sources, &self.parts), vertices.start as u32);
+        self.pushes.resize(vertices.start, Push::default());
+        self.pushes.extend(found);
+    }
+
+    /// An object's vertices.
+    fn vertices(&self, object: usize) -> Range<usize> {
+        let start = |object: u32| {
+            let is_before = |source: &Source| self.parts[source.part as usize].object < object;
+            self.sources.partition_point(is_before)
+        };
+        start(object as u32)..start(object as u32 + 1)
     }
 
     fn add_part(&mut self, model: &Model, placed: &Placed, world_from_part: Mat4, object: u32) {
@@ -173,7 +205,9 @@ fn look(material: &Material) -> u32 {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
+    use fumetto_formats::ModelOptions;
+
     use super::*;
     use crate::gpu::layout_test;
 
@@ -182,4 +216,29 @@ mod tests {
     layout_test!(parts_lie_as_their_twin: Part, "Part" of "shapes/mesh/place" { world_from_part, colour, object, material, texture, look });
 
     layout_test!(triangles_lie_as_their_twin: Triangle, "Triangle" of "shapes/mesh/body" { corners, part });
+
+    /// The geometry of one object.
+    pub(in super::super) fn geometry_of(obj: &str) -> Geometry {
+        let model = fumetto_formats::read_model("test.obj", obj.as_bytes(), ModelOptions::default(), &mut |_| {
+            Err(std::io::ErrorKind::NotFound.into())
+        });
+        let still = Transform { position: [0.0; 3], rotation_deg: [0.0; 3], scale: [1.0; 3] };
+        let mesh = Mesh { model: "test.obj".into(), z_up: false, smooth_deg: None, copies: vec![still] };
+        let mut geometry = Geometry::default();
+        geometry.add(&mesh, &model.expect("the test's model can be read"));
+        geometry
+    }
+
+    /// Boxes of 2 by 2 by 2 around `middles`, whose corners the reader splits for their normals.
+    pub(in super::super) fn boxes(middles: &[[f32; 3]]) -> String {
+        let mut obj = String::new();
+        for [x, y, z] in middles {
+            for corner in 0..8 {
+                let side = |axis: u32| 2.0 * ((corner >> axis) & 1) as f32 - 1.0;
+                obj += &format!("v {} {} {}\n", x + side(0), y + side(1), z + side(2));
+            }
+            obj += "f -8 -6 -5 -7\nf -4 -3 -1 -2\nf -8 -7 -3 -4\nf -6 -2 -1 -5\nf -8 -4 -2 -6\nf -7 -5 -1 -3\n";
+        }
+        obj
+    }
 }

@@ -45,6 +45,17 @@ const DOUBLE_SIDED: u32 = 16u;
 // Numbers in the id layer with this bit are of triangles.
 const TRIANGLE_BIT: u32 = 0x80000000u;
 
+// How a vertex moves when its object gets larger all round, in the coordinates of its part: octahedral
+// directions, and how far for a width of 1.
+struct Push {
+    // Away from the object's inside.
+    outward: u32,
+    outward_length: f32,
+    // Beyond the surface's end; nowhere where it has none.
+    sideways: u32,
+    sideways_length: f32,
+}
+
 // A normal of a part, in the world, of any length: normals go by the cofactors, which also hold where a scale
 // is 0 or negative.
 fn turned_normal(world: mat4x4f, normal: vec3f) -> vec3f {

@@ -3,9 +3,11 @@
 mod body;
 mod geometry;
 mod place;
+mod push;
 mod scene;
 mod smooth;
 mod textures;
+mod weld;
 
 pub(crate) use body::Body;
 pub(crate) use geometry::Geometry;

@@ -2,6 +2,7 @@ use std::ops::Range;
 
 use super::{
     geometry::{Geometry, Part, Source, Triangle},
+    push::Push,
     textures::textures,
 };
 use crate::gpu::Gpu;
@@ -24,6 +25,10 @@ pub(crate) struct MeshScene {
     pub(crate) triangles: wgpu::Buffer,
     /// `Part`s of `mesh.wgsl`.
     pub(crate) parts: wgpu::Buffer,
+    /// For each triangle, a number that it shares with those that it hangs together with.
+    pub(crate) bodies: wgpu::Buffer,
+    /// `Push`es of `mesh.wgsl`, of each of the first vertices; of an object that wants none, whatever.
+    pub(crate) pushes: wgpu::Buffer,
     /// Array of the parts' textures.
     pub(crate) textures: wgpu::TextureView,
     pub(crate) sampler: wgpu::Sampler,
@@ -52,7 +57,7 @@ impl MeshScene {
             let allowed = gpu.device.limits().max_storage_buffer_binding_size;
             if asked > allowed { Err(MeshError { what, asked, allowed }) } else { Ok(asked) }
         };
-        let Geometry { sources, triangles, parts, smoothed, .. } = geometry;
+        let Geometry { sources, triangles, parts, smoothed, bodies, pushes, .. } = geometry;
         let source_bytes = room("vertices", sources.len(), size_of::<Source>())?;
         let triangle_bytes = room("triangles", triangles.len(), size_of::<Triangle>())?;
         let part_bytes = room("parts", parts.len(), size_of::<Part>())?;
@@ -72,6 +77,8 @@ impl MeshScene {
             vertex_count: sources.len() as u32,
             triangles: buffer("shapes.mesh.triangles", triangle_bytes),
             parts: buffer("shapes.mesh.parts", part_bytes),
+            bodies: buffer("shapes.mesh.bodies", size_of_val(&bodies[..]).max(4) as u64),
+            pushes: buffer("shapes.mesh.pushes", size_of_val(&pushes[..]).max(size_of::<Push>()) as u64),
             textures,
             sampler,
             objects: geometry.objects.clone(),
@@ -80,6 +87,8 @@ impl MeshScene {
         gpu.queue.write_buffer(&scene.sources, 0, bytemuck::cast_slice(sources));
         gpu.queue.write_buffer(&scene.smoothed, 0, bytemuck::cast_slice(smoothed));
         gpu.queue.write_buffer(&scene.triangles, 0, bytemuck::cast_slice(triangles));
+        gpu.queue.write_buffer(&scene.bodies, 0, bytemuck::cast_slice(bodies));
+        gpu.queue.write_buffer(&scene.pushes, 0, bytemuck::cast_slice(pushes));
         scene.upload_parts(gpu, parts);
         Ok(scene)
     }
