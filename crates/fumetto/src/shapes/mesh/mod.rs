@@ -4,9 +4,11 @@ mod body;
 mod geometry;
 mod place;
 mod scene;
+mod shells;
 mod textures;
 
 pub(crate) use body::Body;
 pub(crate) use geometry::Geometry;
 pub(crate) use place::Place;
-pub(crate) use scene::{MeshError, MeshScene};
+pub(crate) use scene::{Casters, MeshError, MeshScene};
+pub(crate) use shells::Shells;
