@@ -97,6 +97,35 @@ const PROGRAMS: &[(&str, &[&str])] = &[
         ],
     ),
     ("light/shadowed", &["gpu/fullscreen", "light/casting", "light/shadowed"]),
+    (
+        "light/extrude",
+        &[
+            "gpu/view",
+            "shapes/mesh/mesh",
+            "shapes/mesh/shells",
+            "light/lights",
+            "light/volumes",
+            "light/facing",
+            "light/extrude",
+        ],
+    ),
+    (
+        "light/cap",
+        &["gpu/view", "shapes/mesh/mesh", "light/lights", "light/volumes", "light/face", "light/cap"],
+    ),
+    (
+        "light/side",
+        &[
+            "gpu/view",
+            "shapes/mesh/mesh",
+            "shapes/mesh/shells",
+            "light/lights",
+            "light/volumes",
+            "light/face",
+            "light/side",
+        ],
+    ),
+    ("light/counted", &["gpu/fullscreen", "shapes/mesh/mesh", "light/facing", "light/counted"]),
     ("light/settle", &["gpu/fullscreen", "light/settle"]),
     ("light/soften", &["gpu/fullscreen", "light/soften"]),
     (

@@ -8,7 +8,7 @@ use crate::{
     gpu::{Compact, DrawList, Frame, Gpu, Listing, TexturePool, Transient, View},
     ink::{Angle, Gather, Image, MAX_PENS, Methods, Outline, Pen, Shell},
     layers::Layers,
-    light::{Casting, LightsUniform, Shadows, Soften},
+    light::{Casting, LightsUniform, Shadows, Soften, Volumes},
     object::ObjectStyle,
     proof::Proof,
     shapes::mesh,
@@ -29,6 +29,7 @@ pub(crate) struct Painter {
     body: Body,
     normal: Normal,
     shadows: Shadows,
+    volumes: Volumes,
     soften: Soften,
     outline: Outline,
     angle: Angle,
@@ -71,6 +72,7 @@ impl Painter {
             body: Body::new(gpu),
             normal: Normal::new(gpu),
             shadows: Shadows::new(gpu),
+            volumes: Volumes::new(gpu),
             soften: Soften::new(gpu),
             outline: Outline::new(gpu),
             angle: Angle::new(gpu),
@@ -224,7 +226,8 @@ impl Painter {
             step,
             settle: (SETTLE * setting.clean_px() / step as f32).round() as u32,
         };
-        self.shadows.record(frame, subject, &setting.lights, layers, &casting)
+        let shadow = self.shadows.record(frame, subject, &setting.lights, layers, &casting);
+        self.volumes.record(frame, subject, &setting.lights, layers, shadow)
     }
 
     /// Paints flat colours onto `canvas`.

@@ -14,7 +14,7 @@ use crate::{
     object::ObjectStyle,
     particles::Emission,
     shapes::{
-        mesh::{Geometry, MeshScene},
+        mesh::{Geometry, MeshScene, Shells},
         puffs::{Atlas, Placement, PuffObject, PuffScene, still_puffs},
     },
     tone::{Backdrop, Ramps},
@@ -106,7 +106,11 @@ impl Player {
             }
         }
         let puffs = place(gpu, &scene, &mut objects, atlas)?;
-        let meshes = MeshScene::new(gpu, &geometry)?;
+        let shells = Shells::new(&geometry, |object| {
+            let object = &scene.objects[object as usize];
+            object.visible && object.style.shadow.on && scene.lights.iter().any(|light| light.shadow)
+        });
+        let meshes = MeshScene::new(gpu, &geometry, &shells)?;
         let ramps = load_ramps(gpu, &scene, &*assets)?;
         let backdrop = load_backdrop(gpu, &scene, &*assets)?;
         let (steps, shown) = (0, None);

@@ -110,6 +110,8 @@ pub enum Wrap {
 pub struct Placed {
     /// Its place in [`Model::parts`].
     pub part: usize,
+    /// Parts of one group come one after another and always have the same transform.
+    pub group: usize,
     /// From the part's coordinates to the model's, in columns; finite, and affine as long as the file is.
     ///
     /// It may mirror, when its determinant is below zero: the corners of a triangle that is placed by it

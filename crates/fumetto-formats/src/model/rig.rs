@@ -76,7 +76,7 @@ impl Rig {
     pub(super) fn placed(&self, time_secs: f32) -> Vec<Placed> {
         let mut world_from_node: Vec<Mat4> = Vec::with_capacity(self.nodes.len());
         let poses = self.poses(time_secs);
-        let mut placed = Vec::new();
+        let (mut placed, mut group) = (Vec::new(), 0);
         for (node, pose) in self.nodes.iter().zip(poses) {
             let parent = node.parent.map_or(Mat4::IDENTITY, |parent| world_from_node[parent]);
             let here = parent * pose.matrix();
@@ -84,7 +84,8 @@ impl Rig {
             let itself = [Mat4::IDENTITY];
             for &copy in node.instances.as_deref().unwrap_or(&itself) {
                 let world_from_part = finite(here * copy).to_cols_array_2d();
-                placed.extend(node.parts.clone().map(|part| Placed { part, world_from_part }));
+                placed.extend(node.parts.clone().map(|part| Placed { part, group, world_from_part }));
+                group += 1;
             }
         }
         placed

@@ -184,13 +184,22 @@ pub(crate) struct RasterPipeline<'a> {
     pub(crate) depth: Option<wgpu::DepthStencilState>,
     /// Channels that are written.
     pub(crate) write_mask: wgpu::ColorWrites,
-    /// Values of the fragment shader's `override` constants.
+    /// What is done with what the targets hold; `None` replaces it.
+    pub(crate) blend: Option<wgpu::BlendState>,
+    /// Values of the shaders' `override` constants.
     pub(crate) constants: &'a [(&'a str, f64)],
 }
 
 impl Default for RasterPipeline<'_> {
     fn default() -> Self {
-        Self { label: "", targets: &[], depth: None, write_mask: wgpu::ColorWrites::ALL, constants: &[] }
+        Self {
+            label: "",
+            targets: &[],
+            depth: None,
+            write_mask: wgpu::ColorWrites::ALL,
+            blend: None,
+            constants: &[],
+        }
     }
 }
 
@@ -200,15 +209,19 @@ impl RasterPipeline<'_> {
         let targets: Vec<_> = self
             .targets
             .iter()
-            .map(|&format| Some(wgpu::ColorTargetState { format, blend: None, write_mask: self.write_mask }))
+            .map(|&format| {
+                Some(wgpu::ColorTargetState { format, blend: self.blend, write_mask: self.write_mask })
+            })
             .collect();
+        let compilation_options =
+            wgpu::PipelineCompilationOptions { constants: self.constants, ..Default::default() };
         device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
             label: Some(self.label),
             layout: None,
             vertex: wgpu::VertexState {
                 module,
                 entry_point: Some("vertex"),
-                compilation_options: wgpu::PipelineCompilationOptions::default(),
+                compilation_options: compilation_options.clone(),
                 buffers: &[],
             },
             primitive: wgpu::PrimitiveState::default(),
@@ -217,10 +230,7 @@ impl RasterPipeline<'_> {
             fragment: Some(wgpu::FragmentState {
                 module,
                 entry_point: Some("fragment"),
-                compilation_options: wgpu::PipelineCompilationOptions {
-                    constants: self.constants,
-                    ..Default::default()
-                },
+                compilation_options,
                 targets: &targets,
             }),
             multiview_mask: None,

@@ -51,6 +51,11 @@ impl LightsUniform {
         uniform
     }
 
+    /// Whether a light is a point, not a sun.
+    pub(crate) fn is_point(&self, light: u32) -> bool {
+        self.lights[light as usize].is_point > 0.0
+    }
+
     /// Numbers of the lights that throw shadows, and the channels they have.
     pub(crate) fn casting(&self) -> impl Iterator<Item = (u32, usize)> {
         (0..)

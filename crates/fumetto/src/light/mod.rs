@@ -3,7 +3,9 @@
 mod lights;
 mod shadows;
 mod soften;
+mod volumes;
 
 pub(crate) use lights::LightsUniform;
 pub(crate) use shadows::{Casting, Shadows};
 pub(crate) use soften::Soften;
+pub(crate) use volumes::Volumes;

@@ -88,7 +88,7 @@ impl Shadows {
         layers: &Layers,
         casting: &Casting<'_>,
     ) -> Transient {
-        if lights.casting().next().is_none() {
+        if lights.casting().next().is_none() || subject.scene.count == 0 {
             let nowhere = frame.texture("light.shadow", [1, 1], SHADOW_FORMAT);
             frame.clear("light.shadow", Target::colour(&nowhere, Some(wgpu::Color::TRANSPARENT)));
             return nowhere;

@@ -12,7 +12,8 @@ override HAS_HOLES: bool = false;
 @group(0) @binding(6) var textures_sampler: sampler;
 
 struct Corner {
-    @builtin(position) position: vec4f,
+    // The caps of shadow volumes lie exactly on it.
+    @builtin(position) @invariant position: vec4f,
     @location(0) @interpolate(flat) id: u32,
 }
 

@@ -60,6 +60,8 @@ pub(crate) struct Geometry {
     pub(crate) bodies: Vec<u32>,
     /// How each of the first vertices moves when its object gets larger all round, as far as any wants that.
     pub(crate) pushes: Vec<Push>,
+    /// For each part the first of those that always move as it does.
+    pub(crate) groups: Vec<usize>,
     pub(crate) textures: Vec<Image>,
     /// Each object's triangles, by its number.
     pub(crate) objects: Vec<Range<u32>>,
@@ -79,7 +81,13 @@ impl Geometry {
     pub(crate) fn add(&mut self, mesh: &Mesh, model: &Model) -> Range<usize> {
         let object = self.objects.len() as u32;
         let (first_triangle, first_part) = (self.triangles.len() as u32, self.parts.len());
+        let mut last: Option<Placed> = None;
         for (placed, world_from_part) in placements(mesh, model, 0.0) {
+            // The next copy begins with the first group again.
+            let goes_on = last.is_some_and(|last| last.group == placed.group && last.part + 1 == placed.part);
+            let group = self.groups.last().filter(|_| goes_on);
+            self.groups.push(group.copied().unwrap_or(self.parts.len()));
+            last = Some(placed);
             self.add_part(model, &placed, world_from_part, object);
         }
         self.has_holes |= model.materials.iter().any(|material| material.alpha_cutoff.is_some());

@@ -3,6 +3,7 @@ use std::ops::Range;
 use super::{
     geometry::{Geometry, Part, Source, Triangle},
     push::Push,
+    shells::{Edge, Shells},
     textures::textures,
 };
 use crate::gpu::Gpu;
@@ -36,6 +37,25 @@ pub(crate) struct MeshScene {
     pub(crate) objects: Vec<Range<u32>>,
     /// Whether a texture cuts holes into any of them.
     pub(crate) has_holes: bool,
+    /// What throws shadows, if anything does.
+    pub(crate) casters: Option<Casters>,
+}
+
+/// What shadow volumes are made of, and room for what is found of them for one light after another.
+#[derive(Debug)]
+pub(crate) struct Casters {
+    pub(crate) triangle_count: u32,
+    pub(crate) edge_count: u32,
+    /// When each triangle throws a shadow.
+    pub(crate) casting: wgpu::Buffer,
+    /// `Edge`s of `shells.wgsl`.
+    pub(crate) edges: wgpu::Buffer,
+    /// How each triangle stands to the light.
+    pub(crate) facings: wgpu::Buffer,
+    /// The triangles with a volume: those whose lit side is seen, and from the middle on the others.
+    pub(crate) caps: wgpu::Buffer,
+    /// The edges at which a volume has a side, as often as it has.
+    pub(crate) sides: wgpu::Buffer,
 }
 
 /// A model is too large for the device.
@@ -51,24 +71,13 @@ pub struct MeshError {
 }
 
 impl MeshScene {
-    pub(crate) fn new(gpu: &Gpu, geometry: &Geometry) -> Result<Self, MeshError> {
-        let room = |what, items: usize, bytes: usize| {
-            let asked = items.max(1) as u64 * bytes as u64;
-            let allowed = gpu.device.limits().max_storage_buffer_binding_size;
-            if asked > allowed { Err(MeshError { what, asked, allowed }) } else { Ok(asked) }
-        };
+    /// `shells` are those of `geometry`.
+    pub(crate) fn new(gpu: &Gpu, geometry: &Geometry, shells: &Shells) -> Result<Self, MeshError> {
         let Geometry { sources, triangles, parts, smoothed, bodies, pushes, .. } = geometry;
-        let source_bytes = room("vertices", sources.len(), size_of::<Source>())?;
-        let triangle_bytes = room("triangles", triangles.len(), size_of::<Triangle>())?;
-        let part_bytes = room("parts", parts.len(), size_of::<Part>())?;
-        let buffer = |label, size| {
-            gpu.device.create_buffer(&wgpu::BufferDescriptor {
-                label: Some(label),
-                size,
-                usage: wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST,
-                mapped_at_creation: false,
-            })
-        };
+        let source_bytes = room(gpu, "vertices", sources.len(), size_of::<Source>())?;
+        let triangle_bytes = room(gpu, "triangles", triangles.len(), size_of::<Triangle>())?;
+        let part_bytes = room(gpu, "parts", parts.len(), size_of::<Part>())?;
+        let buffer = |label, size| buffer(gpu, label, size);
         let (textures, sampler) = textures(gpu, &geometry.textures);
         let scene = Self {
             sources: buffer("shapes.mesh.sources", source_bytes),
@@ -83,6 +92,7 @@ impl MeshScene {
             sampler,
             objects: geometry.objects.clone(),
             has_holes: geometry.has_holes,
+            casters: Casters::new(gpu, shells)?,
         };
         gpu.queue.write_buffer(&scene.sources, 0, bytemuck::cast_slice(sources));
         gpu.queue.write_buffer(&scene.smoothed, 0, bytemuck::cast_slice(smoothed));
@@ -97,4 +107,44 @@ impl MeshScene {
     pub(crate) fn upload_parts(&self, gpu: &Gpu, parts: &[Part]) {
         gpu.queue.write_buffer(&self.parts, 0, bytemuck::cast_slice(parts));
     }
+}
+
+impl Casters {
+    fn new(gpu: &Gpu, shells: &Shells) -> Result<Option<Self>, MeshError> {
+        let Shells { edges, casting } = shells;
+        if edges.is_empty() {
+            return Ok(None);
+        }
+        let edge_bytes = room(gpu, "edges that throw shadows", edges.len(), size_of::<Edge>())?;
+        let word = |label, count: usize| buffer(gpu, label, 4 * count as u64);
+        let casters = Self {
+            triangle_count: casting.len() as u32,
+            edge_count: edges.len() as u32,
+            casting: word("shapes.mesh.casting", casting.len()),
+            edges: buffer(gpu, "shapes.mesh.edges", edge_bytes),
+            facings: word("shapes.mesh.facings", casting.len()),
+            caps: word("shapes.mesh.caps", 2 * casting.len()),
+            // Both triangles of an edge may have a side there.
+            sides: word("shapes.mesh.sides", 2 * edges.len()),
+        };
+        gpu.queue.write_buffer(&casters.casting, 0, bytemuck::cast_slice(casting));
+        gpu.queue.write_buffer(&casters.edges, 0, bytemuck::cast_slice(edges));
+        Ok(Some(casters))
+    }
+}
+
+/// Bytes for so many items, unless they are more than the device allows.
+fn room(gpu: &Gpu, what: &'static str, items: usize, bytes: usize) -> Result<u64, MeshError> {
+    let asked = items.max(1) as u64 * bytes as u64;
+    let allowed = gpu.device.limits().max_storage_buffer_binding_size;
+    if asked > allowed { Err(MeshError { what, asked, allowed }) } else { Ok(asked) }
+}
+
+fn buffer(gpu: &Gpu, label: &'static str, size: u64) -> wgpu::Buffer {
+    gpu.device.create_buffer(&wgpu::BufferDescriptor {
+        label: Some(label),
+        size,
+        usage: wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST,
+        mapped_at_creation: false,
+    })
 }

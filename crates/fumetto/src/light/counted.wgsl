@@ -1,0 +1,28 @@
+// Adds the shadows that were counted for one light to those that are known.
+
+struct Counted {
+    // 1 in the light's channel.
+    channel: vec4f,
+}
+
+@group(0) @binding(0) var<uniform> counted: Counted;
+@group(0) @binding(1) var counts: texture_2d<f32>;
+@group(0) @binding(2) var known: texture_2d<f32>;
+@group(0) @binding(3) var linear: sampler;
+@group(0) @binding(4) var id_layer: texture_2d<u32>;
+@group(0) @binding(5) var<storage, read> facings: array<u32>;
+
+@fragment
+fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
+    let px = vec2i(position.xy);
+    let at = position.xy / vec2f(textureDimensions(counts));
+    let shadow = select(vec4f(0.0), vec4f(1.0), textureSampleLevel(known, linear, at, 0.0) >= vec4f(0.5));
+    if abs(textureLoad(counts, px, 0).x) < 0.5 {
+        return shadow;
+    }
+    let id = textureLoad(id_layer, px, 0).x;
+    if (id & TRIANGLE_BIT) != 0u && (facings[id & ~TRIANGLE_BIT] & AT_TERMINATOR) != 0u {
+        return shadow;
+    }
+    return max(shadow, counted.channel);
+}

@@ -1,0 +1,195 @@
+//! Shells: the connected surfaces of models, and the edges at which their shadow volumes may have sides.
+//!
+//! Vertices that lie at the same place of the same part, or of parts that move together, are one here,
+//! whatever their normals: a crease is no end of a surface.
+
+use bytemuck::{Pod, Zeroable};
+
+use super::geometry::{Geometry, Triangle};
+
+/// `Edge` of `shells.wgsl`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Pod, Zeroable)]
+pub(crate) struct Edge {
+    pub(crate) ends: [u32; 2],
+    /// The first triangle runs along the edge from its first end to its second.
+    pub(crate) sides: [u32; 2],
+}
+
+/// No second triangle.
+const NO_SIDE: u32 = u32::MAX;
+
+/// The second triangle runs along the edge as the first one does.
+const SAME_WAY: u32 = 1 << 31;
+
+/// A triangle throws a shadow when light falls on its front, and when it falls on its back. Also in
+/// `shells.wgsl`.
+const LIT_CASTS: u32 = 1;
+const UNLIT_CASTS: u32 = 2;
+
+/// What a scene's shadow volumes are made of.
+#[derive(Debug, Default)]
+pub(crate) struct Shells {
+    /// An edge of more than two triangles is in here several times; the order is that of the model.
+    pub(crate) edges: Vec<Edge>,
+    /// When each of the scene's triangles throws a shadow.
+    pub(crate) casting: Vec<u32>,
+}
+
+/// One triangle at one of its edges.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+struct HalfEdge {
+    /// The lower vertex first.
+    ends: [u32; 2],
+    backward: bool,
+    triangle: u32,
+}
+
+impl Shells {
+    /// The shells of the objects that `casts` names by their numbers.
+    pub(crate) fn new(geometry: &Geometry, casts: impl Fn(u32) -> bool) -> Self {
+        let mut shells = Self { edges: Vec::new(), casting: vec![0; geometry.triangles.len()] };
+        let group = |triangle: &Triangle| geometry.groups[triangle.part as usize];
+        let mut first = 0;
+        for triangles in geometry.triangles.chunk_by(|a, b| group(a) == group(b)) {
+            if casts(geometry.parts[triangles[0].part as usize].object) {
+                shells.add(geometry, first, triangles);
+            }
+            first += triangles.len();
+        }
+        shells
+    }
+
+    /// Adds triangles that move together; `first` is the number of the first.
+    fn add(&mut self, geometry: &Geometry, first: usize, triangles: &[Triangle]) {
+        let vertices = Welded::new(geometry, triangles);
+        let halves = half_edges(&vertices, first as u32, triangles);
+        let mut surfaces = Sets::new(triangles.len());
+        let mut ends = Vec::new();
+        for around in halves.chunk_by(|a, b| a.ends == b.ends) {
+            for pair in around.windows(2) {
+                surfaces.join(pair[0].triangle as usize - first, pair[1].triangle as usize - first);
+            }
+            if self.add_edge(around) {
+                ends.push(around[0].triangle as usize - first);
+            }
+        }
+        let mut is_open = vec![false; triangles.len()];
+        for triangle in ends {
+            is_open[surfaces.find(triangle)] = true;
+        }
+        let mut volumes = vec![0.0; triangles.len()];
+        for (number, triangle) in triangles.iter().enumerate() {
+            volumes[surfaces.find(number)] += vertices.volume(geometry, triangle);
+        }
+        for number in 0..triangles.len() {
+            let surface = surfaces.find(number);
+            self.casting[first + number] = match (is_open[surface], volumes[surface] < 0.0) {
+                (true, _) => LIT_CASTS | UNLIT_CASTS,
+                // What looks away from the light bounds the same shadow, and starts it where the shading is
+                // dark by itself: no facet throws a shadow on its neighbours at the border of light.
+                (false, false) => UNLIT_CASTS,
+                (false, true) => LIT_CASTS,
+            };
+        }
+    }
+
+    /// Adds what lies `around` one edge, two triangles at a time; answers whether the surface ends there.
+    ///
+    /// It ends where not as many triangles run along the edge to one side as to the other.
+    fn add_edge(&mut self, around: &[HalfEdge]) -> bool {
+        let (forward, backward) = around.split_at(around.partition_point(|half| !half.backward));
+        let paired = forward.len().min(backward.len());
+        let [low, high] = around[0].ends;
+        for (forward, backward) in forward.iter().zip(backward) {
+            self.edges.push(Edge { ends: [low, high], sides: [forward.triangle, backward.triangle] });
+        }
+        for (rest, ends) in [(&forward[paired..], [low, high]), (&backward[paired..], [high, low])] {
+            for two in rest.chunks(2) {
+                let second = two.get(1).map_or(NO_SIDE, |half| half.triangle | SAME_WAY);
+                self.edges.push(Edge { ends, sides: [two[0].triangle, second] });
+            }
+        }
+        forward.len() != backward.len()
+    }
+}
+
+/// All edges of triangles, those between the same two places together, forward ones first.
+fn half_edges(vertices: &Welded, first: u32, triangles: &[Triangle]) -> Vec<HalfEdge> {
+    let numbered = (first..).zip(triangles);
+    let mut halves: Vec<_> = numbered
+        .flat_map(|(number, triangle)| {
+            let [a, b, c] = triangle.corners.map(|corner| vertices.at(corner));
+            [[a, b], [b, c], [c, a]].map(|[from, to]| HalfEdge {
+                ends: [from.min(to), from.max(to)],
+                backward: from > to,
+                triangle: number,
+            })
+        })
+        .collect();
+    halves.sort_unstable();
+    halves
+}
+
+/// Vertices of triangles that move together, those at the same place taken for one.
+struct Welded {
+    first: u32,
+    /// The lowest number of those at the same place.
+    lowest: Vec<u32>,
+}
+
+impl Welded {
+    fn new(geometry: &Geometry, triangles: &[Triangle]) -> Self {
+        let corners = || triangles.iter().flat_map(|triangle| triangle.corners);
+        let first = corners().min().unwrap_or(0);
+        let end = corners().max().map_or(first, |last| last + 1);
+        // Zeros of both signs are the same place.
+        let place = |vertex: u32| geometry.sources[vertex as usize].position.map(|at| (at + 0.0).to_bits());
+        let mut order: Vec<_> = (first..end).map(|vertex| (place(vertex), vertex)).collect();
+        order.sort_unstable();
+        let mut lowest = vec![0; order.len()];
+        for same in order.chunk_by(|a, b| a.0 == b.0) {
+            for &(_, vertex) in same {
+                lowest[(vertex - first) as usize] = same[0].1;
+            }
+        }
+        Self { first, lowest }
+    }
+
+    fn at(&self, vertex: u32) -> u32 {
+        self.lowest[(vertex - self.first) as usize]
+    }
+
+    /// Six times the signed volume between a triangle and the first vertex; those of a closed surface sum up
+    /// to more than zero where its fronts look outward.
+    fn volume(&self, geometry: &Geometry, triangle: &Triangle) -> f64 {
+        let place = |vertex: u32| glam::Vec3::from(geometry.sources[vertex as usize].position).as_dvec3();
+        let origin = place(self.first);
+        let [a, b, c] = triangle.corners.map(|corner| place(corner) - origin);
+        let mirrored = geometry.parts[triangle.part as usize].world_from_part.determinant() < 0.0;
+        a.dot(b.cross(c)) * if mirrored { -1.0 } else { 1.0 }
+    }
+}
+
+/// Disjoint sets of numbers.
+struct Sets(Vec<usize>);
+
+impl Sets {
+    fn new(count: usize) -> Self {
+        Self((0..count).collect())
+    }
+
+    /// The number that stands for a set; halves the way to it for the next time.
+    fn find(&mut self, mut number: usize) -> usize {
+        while self.0[number] != number {
+            self.0[number] = self.0[self.0[number]];
+            number = self.0[number];
+        }
+        number
+    }
+
+    fn join(&mut self, a: usize, b: usize) {
+        let (a, b) = (self.find(a), self.find(b));
+        self.0[a.max(b)] = a.min(b);
+    }
+}
