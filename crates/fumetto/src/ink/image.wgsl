@@ -14,7 +14,7 @@ struct Image {
 @group(0) @binding(2) var<uniform> styles: array<ObjectStyle, MAX_OBJECTS>;
 @group(0) @binding(3) var<uniform> lights: Lights;
 @group(0) @binding(4) var<storage, read> puffs: array<Puff>;
-@group(0) @binding(5) var<storage, read> pens: array<Pen>;
+@group(0) @binding(5) var<uniform> pens: array<Pen, MAX_PENS>;
 @group(0) @binding(6) var<storage, read> vertices: array<Vertex>;
 @group(0) @binding(7) var<storage, read> triangles: array<Triangle>;
 @group(0) @binding(8) var<storage, read> parts: array<Part>;

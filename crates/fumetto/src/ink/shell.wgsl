@@ -3,7 +3,7 @@
 
 @group(0) @binding(1) var<uniform> styles: array<ObjectStyle, MAX_OBJECTS>;
 @group(0) @binding(2) var<uniform> lights: Lights;
-@group(0) @binding(3) var<storage, read> pens: array<Pen>;
+@group(0) @binding(3) var<uniform> pens: array<Pen, MAX_PENS>;
 @group(0) @binding(4) var<storage, read> vertices: array<Vertex>;
 @group(0) @binding(5) var<storage, read> triangles: array<Triangle>;
 @group(0) @binding(6) var<storage, read> parts: array<Part>;
