@@ -310,9 +310,14 @@ fn place(gpu: &Gpu, scene: &Scene, objects: &mut [PlayedObject], atlas: Atlas) -
         played.placement.first = first;
         let range = first..first + played.capacity;
         first = range.end;
-        ranges.push(PuffObject { range, wants_form: object.visible && object.style.form > 0.0 });
+        ranges.push(PuffObject { range, wants_form: object.visible && wants_form(&object.style) });
     }
     Ok(PuffScene::new(gpu, atlas, ranges, size_of::<ObjectStyle>() as u64))
+}
+
+/// Normals bend toward the form, and relief is what stands out from it.
+fn wants_form(style: &Style) -> bool {
+    style.form > 0.0 || style.exaggerate.amount > 0.0
 }
 
 fn load_ramps(gpu: &Gpu, scene: &Scene, assets: &dyn Assets) -> Result<Ramps, Error> {

@@ -155,7 +155,7 @@ pub struct ExaggerateFile {
     /// Sizes of relief that are told apart, 1 to 8. Default 5.
     #[schemars(transform = &limits::SCALES)]
     pub scales: Option<u32>,
-    /// How steeply light changes with the slope of the relief, above 0. Default 4.
+    /// How steeply light changes with the slope of the relief, above 0. Default 16.
     #[schemars(transform = &limits::SCALE)]
     pub contrast: Option<f32>,
 }

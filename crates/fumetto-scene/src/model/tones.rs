@@ -128,6 +128,6 @@ impl Default for Rim {
 
 impl Default for Exaggerate {
     fn default() -> Self {
-        Self { amount: 0.0, scales: 5, contrast: 4.0 }
+        Self { amount: 0.0, scales: 5, contrast: 16.0 }
     }
 }

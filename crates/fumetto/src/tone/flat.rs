@@ -20,6 +20,15 @@ pub(crate) struct Flat {
     linear: wgpu::Sampler,
 }
 
+#[repr(C)]
+#[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
+struct SamplingUniform {
+    step: u32,
+    form_side: f32,
+    form_objects: f32,
+    pad: u32,
+}
+
 impl Flat {
     pub(crate) fn new(gpu: &Gpu) -> Self {
         let module = gpu.device.create_shader_module(shader!("tone/flat"));
@@ -57,8 +66,10 @@ impl Flat {
         (step, ramps, features): (u32, &Ramps, Features),
         canvas: Canvas<'_>,
     ) {
-        let sampling = frame.uniform("tone.flat.sampling", &[step, 0, 0, 0]);
-        let meshes = subject.meshes;
+        let (meshes, form) = (subject.meshes, &subject.scene.form);
+        let sampling =
+            SamplingUniform { step, form_side: form.side as f32, form_objects: form.objects as f32, pad: 0 };
+        let sampling = frame.uniform("tone.flat.sampling", &sampling);
         let features = if canvas.is_picture { features.for_picture() } else { features };
         frame.fullscreen(
             "tone.flat",
@@ -83,8 +94,18 @@ impl Flat {
                 wgpu::BindingResource::TextureView(&meshes.textures),
                 wgpu::BindingResource::Sampler(&meshes.sampler),
                 meshes.smoothed.as_entire_binding(),
+                form.grids.as_entire_binding(),
+                wgpu::BindingResource::TextureView(&form.view),
                 ramps.tones.as_entire_binding(),
             ],
         );
     }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gpu::layout_test;
+
+    layout_test!(lies_as_its_twin: SamplingUniform, "Sampling" of "tone/flat" { step, form_side, form_objects });
 }

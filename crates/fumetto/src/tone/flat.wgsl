@@ -18,6 +18,8 @@ override HAS_STEPS: bool = false;
 struct Sampling {
     // Pixels of the picture to one texel of the normal layer.
     step: i32,
+    form_side: f32,
+    form_objects: f32,
 }
 
 @group(0) @binding(1) var<uniform> sampling: Sampling;
@@ -37,7 +39,9 @@ struct Sampling {
 @group(0) @binding(15) var textures: texture_2d_array<f32>;
 @group(0) @binding(16) var textures_sampler: sampler;
 @group(0) @binding(17) var<storage, read> smoothed: array<u32>;
-@group(0) @binding(18) var<uniform> tones: array<ToneStyle, MAX_OBJECTS>;
+@group(0) @binding(18) var<storage, read> grids: array<FormGrid>;
+@group(0) @binding(19) var form_field: texture_3d<f32>;
+@group(0) @binding(20) var<uniform> tones: array<ToneStyle, MAX_OBJECTS>;
 
 // The normal between the layer's texels, from those that lie about as deep.
 fn normal_at(px: vec2i, distance: f32) -> vec3f {
@@ -74,8 +78,6 @@ struct Seen {
     weights: vec3f,
     part: u32,
     side: f32,
-    // Of a puff, in metres.
-    radius: f32,
 }
 
 fn seen_at(id: u32, px: vec2i, distance: f32) -> Seen {
@@ -98,7 +100,6 @@ fn seen_at(id: u32, px: vec2i, distance: f32) -> Seen {
     seen.opacity = puff_fade(puff).y;
     seen.normal = normal / max(length(normal), 1e-6);
     seen.colour = vec3f(1.0);
-    seen.radius = puff.radius;
     return seen;
 }
 
@@ -110,52 +111,29 @@ fn own_colour(linear: vec3f, object: u32) -> vec3f {
     return linear;
 }
 
-@fragment
-fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
-    let px = vec2i(position.xy);
-    let id = textureLoad(id_layer, px, 0).x;
-    if id == 0u {
-        discard;
-    }
-    let distance = distance_of(textureLoad(depth_layer, px, 0));
-    let seen = seen_at(id, px, distance);
-    let style = styles[seen.object];
-    let place = (view.world_from_view * vec4f(ray_of(position.xy) * distance, 1.0)).xyz;
-    let shadow = textureSampleLevel(shadows, linear, position.xy / view.size_px, 0.0);
-    let toward_eye = normalize(view.world_from_view[3].xyz - place);
-    let wrap = select(style.wrap, 1.0, HAS_GOOCH && tones[seen.object].is_gooch != 0u);
-    var amount = 0.0;
-    var shine = 0.0;
-    for (var i = 0u; i < lights.count; i++) {
-        let light = lights.light[i];
-        if light.channel >= 0 && shadow[max(light.channel, 0)] >= 0.5 {
-            continue;
-        }
-        let toward_light = toward(light, place);
-        var here = diffuse(light, seen.normal, toward_light, wrap);
-        if HAS_EXAGGERATION && i == 0u && tones[seen.object].exaggerate_amount > 0.0 {
-            let relief = light.intensity * exaggerated(seen, position.xy, distance, toward_light, tones[seen.object]);
-            here = mix(here, relief, tones[seen.object].exaggerate_amount);
-        }
-        amount += here;
-        if HAS_HIGHLIGHT {
-            shine = max(shine, blinn_phong(light, seen.normal, toward_light, toward_eye, tones[seen.object].gloss));
-        }
-    }
-    let facing = max(dot(seen.normal, toward_eye), 0.0);
-    let colour = colour_of(seen, amount, shine, facing, Sight(place, distance));
-    return vec4f(colour, select(style.opacity * seen.opacity, 1.0, IS_PICTURE));
-}
-
-// Where a pixel is.
+// Where a pixel is, and from where it is seen.
 struct Sight {
-    place: vec3f,
+    px: vec2f,
     distance: f32,
+    place: vec3f,
+    toward_eye: vec3f,
 }
 
-// The colour of an amount of light, encoded; `shine` is the highlight's term, and `facing` the cosine between
-// surface and viewer.
-fn colour_of(seen: Seen, amount: f32, shine: f32, facing: f32, at: Sight) -> vec3f {
+// What one light adds where nothing keeps it away; relief shows in the first.
+fn amount_of(number: u32, seen: Seen, at: Sight, toward_light: vec3f) -> f32 {
+    let light = lights.light[number];
+    let wrap = select(styles[seen.object].wrap, 1.0, HAS_GOOCH && tones[seen.object].is_gooch != 0u);
+    let plain = diffuse(light, seen.normal, toward_light, wrap);
+    if HAS_EXAGGERATION && number == 0u && tones[seen.object].exaggerate_amount > 0.0 {
+        let relief = light.intensity * exaggerated(seen, at, toward_light, tones[seen.object]);
+        return mix(plain, relief, tones[seen.object].exaggerate_amount);
+    }
+    return plain;
+}
+
+// The colour of an amount of light, encoded; `shine` is the highlight's term.
+fn colour_of(seen: Seen, at: Sight, amount: f32, shine: f32) -> vec3f {
+    let facing = max(dot(seen.normal, at.toward_eye), 0.0);
     if HAS_HIGHLIGHT && shine >= tones[seen.object].highlight_from {
         return tones[seen.object].highlight_colour;
     }
@@ -175,4 +153,32 @@ fn colour_of(seen: Seen, amount: f32, shine: f32, facing: f32, at: Sight) -> vec
         return encoded(decoded(colour) * seen.colour);
     }
     return colour;
+}
+
+@fragment
+fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
+    let px = vec2i(position.xy);
+    let id = textureLoad(id_layer, px, 0).x;
+    if id == 0u {
+        discard;
+    }
+    let distance = distance_of(textureLoad(depth_layer, px, 0));
+    let seen = seen_at(id, px, distance);
+    let place = (view.world_from_view * vec4f(ray_of(position.xy) * distance, 1.0)).xyz;
+    let at = Sight(position.xy, distance, place, normalize(view.world_from_view[3].xyz - place));
+    let shadow = textureSampleLevel(shadows, linear, position.xy / view.size_px, 0.0);
+    var amount = 0.0;
+    var shine = 0.0;
+    for (var i = 0u; i < lights.count; i++) {
+        let light = lights.light[i];
+        let kept = light.channel >= 0 && shadow[max(light.channel, 0)] >= 0.5;
+        let toward_light = toward(light, place);
+        amount += select(amount_of(i, seen, at, toward_light), 0.0, kept);
+        if HAS_HIGHLIGHT {
+            let gloss = tones[seen.object].gloss;
+            shine = max(shine, select(blinn_phong(light, seen.normal, toward_light, at.toward_eye, gloss), 0.0, kept));
+        }
+    }
+    let colour = colour_of(seen, at, amount, shine);
+    return vec4f(colour, select(styles[seen.object].opacity * seen.opacity, 1.0, IS_PICTURE));
 }
