@@ -242,7 +242,7 @@ impl Painter {
     ) {
         let ramps = &setting.player.ramps;
         if cel.pre_shaded {
-            let sprites = self.sprites.record(frame, subject, ramps);
+            let sprites = self.sprites.record(frame, subject, ramps, setting.look(cel));
             return self.copied.record(frame, subject, (layers, shadow), &sprites, ramps, canvas);
         }
         let step = if setting.clean_px() >= 2.0 { 2 } else { 1 };
@@ -309,6 +309,21 @@ impl Setting<'_> {
         Pen::of_all(&self.player.scene().objects, self.view.size[1])
     }
 
+    /// How each object is drawn in a cel.
+    fn styles(&self, cel: &Cel) -> Vec<ObjectStyle> {
+        let style = |(index, object)| {
+            let in_cel = cel.members.contains(&(index as usize));
+            ObjectStyle::new(object, index, self.view.size[1], in_cel)
+        };
+        (0..).zip(&self.player.scene().objects).map(style).collect()
+    }
+
+    /// All uniforms of a cel in a row, to tell whether anything has changed.
+    fn look(&self, cel: &Cel) -> Vec<u8> {
+        let (view, lights) = (bytemuck::bytes_of(&self.view.uniform), bytemuck::bytes_of(&self.lights));
+        [view, lights, bytemuck::cast_slice(&self.styles(cel))].concat()
+    }
+
     /// Length of the shortest line that any object keeps, in samples.
     fn ink_length_px(&self) -> f32 {
         self.pens().iter().map(Pen::shortest_line_px).fold(0.0, f32::max)
@@ -332,13 +347,5 @@ impl Setting<'_> {
 }
 
 fn write_styles(gpu: &Gpu, setting: &Setting<'_>, cel: &Cel) {
-    let objects = &setting.player.scene().objects;
-    let styles: Vec<_> = (0..)
-        .zip(objects)
-        .map(|(index, object)| {
-            let in_cel = cel.members.contains(&(index as usize));
-            ObjectStyle::new(object, index, setting.view.size[1], in_cel)
-        })
-        .collect();
-    gpu.queue.write_buffer(&setting.player.puffs.styles, 0, bytemuck::cast_slice(&styles));
+    gpu.queue.write_buffer(&setting.player.puffs.styles, 0, bytemuck::cast_slice(&setting.styles(cel)));
 }

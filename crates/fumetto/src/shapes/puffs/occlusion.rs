@@ -8,6 +8,8 @@ use crate::gpu::{Frame, Gpu, Slot, kernels, shader, workgroups};
 const CELL_PX: u32 = 4;
 /// Enough for any texture.
 const MAX_LEVELS: usize = 16;
+/// Levels of so few cells are left to one workgroup, together.
+const TOP_CELLS: u32 = 1024;
 
 /// Bits of a puff's flags. Also in `pyramid.wgsl`.
 pub(crate) const FRONT: u32 = 1;
@@ -21,6 +23,7 @@ pub(crate) struct Occlusion {
     choose: wgpu::ComputePipeline,
     pixels: wgpu::ComputePipeline,
     cells: wgpu::ComputePipeline,
+    top: wgpu::ComputePipeline,
     bodies: wgpu::ComputePipeline,
     inks: wgpu::ComputePipeline,
     nearest: wgpu::Sampler,
@@ -93,12 +96,13 @@ impl Occlusion {
             [Slot::Uniform, Slot::Uniform, Slot::Uniform, Slot::Read, Slot::Uniform, Slot::Read, Slot::Write];
         let [bodies, inks] = kernels(gpu, shader!("shapes/puffs/cull"), &slots, ["bodies", "inks"]);
         let slots = [Slot::Uniform, Slot::Uniform, Slot::Write, Slot::Depth, Slot::Nearest];
-        let [pixels, cells] = kernels(gpu, shader!("shapes/puffs/reduce"), &slots, ["pixels", "cells"]);
+        let [pixels, cells, top] =
+            kernels(gpu, shader!("shapes/puffs/reduce"), &slots, ["pixels", "cells", "top"]);
         let nearest = gpu.device.create_sampler(&wgpu::SamplerDescriptor {
             label: Some("shapes.puffs.nearest"),
             ..Default::default()
         });
-        Self { compete, choose, pixels, cells, bodies, inks, nearest }
+        Self { compete, choose, pixels, cells, top, bodies, inks, nearest }
     }
 
     /// Flags the puffs to draw first, [`FRONT`].
@@ -145,9 +149,15 @@ impl Occlusion {
 
     fn reduce(&self, frame: &mut Frame<'_>, pyramid: &Pyramid, depth: &wgpu::TextureView) {
         for (index, &[width, height]) in pyramid.levels.iter().enumerate() {
+            let is_top = index > 0 && width * height <= TOP_CELLS;
+            let (pipeline, groups) = match index {
+                0 => (&self.pixels, [width.div_ceil(16), height.div_ceil(16), 1]),
+                _ if is_top => (&self.top, [1, 1, 1]),
+                _ => (&self.cells, [width.div_ceil(16), height.div_ceil(16), 1]),
+            };
             frame.compute(
                 "shapes.puffs.reduce",
-                if index == 0 { &self.pixels } else { &self.cells },
+                pipeline,
                 &[
                     pyramid.uniform.as_entire_binding(),
                     pyramid.level_uniforms[index].as_entire_binding(),
@@ -155,8 +165,11 @@ impl Occlusion {
                     wgpu::BindingResource::TextureView(depth),
                     wgpu::BindingResource::Sampler(&self.nearest),
                 ],
-                [width.div_ceil(16), height.div_ceil(16), 1],
+                groups,
             );
+            if is_top {
+                break;
+            }
         }
     }
 }
