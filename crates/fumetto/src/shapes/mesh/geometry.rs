@@ -43,10 +43,10 @@ pub(crate) struct Part {
     pub(crate) object: u32,
     pub(crate) material: u32,
     texture: i32,
-    look: u32,
+    pub(crate) look: u32,
 }
 
-const DOUBLE_SIDED: u32 = 16;
+pub(super) const DOUBLE_SIDED: u32 = 16;
 
 /// All models of a scene, copies counted singly.
 #[derive(Debug, Default)]
@@ -227,9 +227,10 @@ pub(super) mod tests {
 
     /// The geometry of one object.
     pub(in super::super) fn geometry_of(obj: &str) -> Geometry {
-        let model = fumetto_formats::read_model("test.obj", obj.as_bytes(), ModelOptions::default(), &mut |_| {
-            Err(std::io::ErrorKind::NotFound.into())
-        });
+        let model =
+            fumetto_formats::read_model("test.obj", obj.as_bytes(), ModelOptions::default(), &mut |_| {
+                Err(std::io::ErrorKind::NotFound.into())
+            });
         let still = Transform { position: [0.0; 3], rotation_deg: [0.0; 3], scale: [1.0; 3] };
         let mesh = Mesh { model: "test.obj".into(), z_up: false, smooth_deg: None, copies: vec![still] };
         let mut geometry = Geometry::default();
@@ -245,7 +246,8 @@ pub(super) mod tests {
                 let side = |axis: u32| 2.0 * ((corner >> axis) & 1) as f32 - 1.0;
                 obj += &format!("v {} {} {}\n", x + side(0), y + side(1), z + side(2));
             }
-            obj += "f -8 -6 -5 -7\nf -4 -3 -1 -2\nf -8 -7 -3 -4\nf -6 -2 -1 -5\nf -8 -4 -2 -6\nf -7 -5 -1 -3\n";
+            obj +=
+                "f -8 -6 -5 -7\nf -4 -3 -1 -2\nf -8 -7 -3 -4\nf -6 -2 -1 -5\nf -8 -4 -2 -6\nf -7 -5 -1 -3\n";
         }
         obj
     }
