@@ -201,6 +201,31 @@ const PROGRAMS: &[(&str, &[&str])] = &[
             "ink/stroke",
         ],
     ),
+    (
+        "ink/edges",
+        &[
+            "gpu/view",
+            "gpu/octahedral",
+            "shapes/mesh/mesh",
+            "shapes/mesh/candidate",
+            "ink/pen",
+            "ink/segment",
+            "ink/edges",
+        ],
+    ),
+    (
+        "ink/strip",
+        &[
+            "gpu/view",
+            "gpu/octahedral",
+            "shapes/mesh/mesh",
+            "shapes/mesh/candidate",
+            "light/lights",
+            "ink/pen",
+            "ink/segment",
+            "ink/strip",
+        ],
+    ),
     ("ink/share", &["gpu/fullscreen", "ink/share"]),
     ("ink/around", &["gpu/fullscreen", "ink/around"]),
     (

@@ -7,6 +7,7 @@
 mod args;
 mod cloud;
 mod draw;
+mod edges;
 mod machine;
 mod measure;
 mod number;
@@ -25,7 +26,7 @@ use report::{Report, Row, Table};
 use subsystem::Subsystem;
 
 /// Everything that is measured, in the order of the report.
-const SUBSYSTEMS: [&Subsystem; 2] = [&step::STEP, &draw::DRAW];
+const SUBSYSTEMS: [&Subsystem; 3] = [&step::STEP, &draw::DRAW, &edges::EDGES];
 
 fn main() -> anyhow::Result<()> {
     let args = Args::parse();

@@ -6,7 +6,7 @@ use crate::{
     Player, Shot,
     cels::{Cel, cels},
     gpu::{Compact, DrawList, Frame, Gpu, Listing, TexturePool, Transient, View},
-    ink::{Angle, Gather, Image, MAX_PENS, Methods, Outline, Pen, Shell},
+    ink::{Angle, Gather, Image, MAX_PENS, Methods, Outline, Pen, Shell, Vector},
     layers::Layers,
     light::{Casting, LightsUniform, Shadows, Soften, Volumes},
     object::ObjectStyle,
@@ -32,6 +32,7 @@ pub(crate) struct Painter {
     volumes: Volumes,
     soften: Soften,
     outline: Outline,
+    vector: Vector,
     angle: Angle,
     shell: Shell,
     image: Image,
@@ -75,6 +76,7 @@ impl Painter {
             volumes: Volumes::new(gpu),
             soften: Soften::new(gpu),
             outline: Outline::new(gpu),
+            vector: Vector::new(gpu),
             angle: Angle::new(gpu),
             shell: Shell::new(gpu),
             image: Image::new(gpu),
@@ -125,7 +127,7 @@ impl Painter {
         let cel = Cel { members, pre_shaded: false };
         write_styles(gpu, &setting, &cel);
         let mut frame = Frame::new(gpu, pool, "proof");
-        let (view, lights, pens) = setting.buffers(&frame);
+        let (view, lights, pens) = setting.buffers(&frame, &cel.members);
         let Player { puffs: scene, meshes, .. } = player;
         let subject = Subject { scene, meshes, view: &view, lights: &lights, pens: &pens };
         let room = self.room.as_ref().expect("setting makes room");
@@ -160,7 +162,7 @@ impl Painter {
         target: &wgpu::TextureView,
     ) -> Layers {
         let room = self.room.as_ref().expect("room is made before a cel is painted");
-        let (view, lights, pens) = setting.buffers(frame);
+        let (view, lights, pens) = setting.buffers(frame, &cel.members);
         let Player { puffs: scene, meshes, .. } = setting.player;
         let subject = Subject { scene, meshes, view: &view, lights: &lights, pens: &pens };
 
@@ -175,7 +177,7 @@ impl Painter {
         }
         self.tone(frame, subject, setting, cel, (&layers, &shadow), canvas);
         let ink = self.ink(frame, subject, setting, cel, (&layers, &room.inks));
-        let around = self.gather.record(frame, &ink, layers.size, setting.ink_length_px());
+        let around = self.gather.record(frame, &ink, layers.size, setting.ink_length_px(&cel.members));
         let inked = Inked { ink: &ink, around: &around };
         match own {
             Some(own) => self.compose.record(frame, subject, (&own, inked), under, setting.samples, target),
@@ -265,7 +267,9 @@ impl Painter {
     ) -> Transient {
         let objects = &setting.player.scene().objects;
         let methods = Methods::of(objects, &cel.members, setting.view.size[1]);
-        let ink = self.outline.record(frame, subject, inks, layers);
+        let along_edges = setting.pens(&cel.members).iter().any(Pen::follows_edges);
+        let lines = along_edges.then(|| self.vector.record(frame, subject, &self.compact, layers));
+        let ink = self.outline.record(frame, subject, inks, layers, lines);
         if methods.angle {
             self.form.record(frame, subject.scene, &cel.members);
             let normal = self.normal.record(frame, subject, layers, 1);
@@ -297,16 +301,17 @@ impl Painter {
 
 impl Setting<'_> {
     /// The view, the lights and the pens as shaders take them.
-    fn buffers(&self, frame: &Frame<'_>) -> (wgpu::Buffer, wgpu::Buffer, wgpu::Buffer) {
+    fn buffers(&self, frame: &Frame<'_>, members: &[usize]) -> (wgpu::Buffer, wgpu::Buffer, wgpu::Buffer) {
         (
             frame.uniform("frame.view", &self.view.uniform),
             frame.uniform("frame.lights", &self.lights),
-            frame.uniform("frame.pens", &self.pens()),
+            frame.uniform("frame.pens", &self.pens(members)),
         )
     }
 
-    fn pens(&self) -> [Pen; MAX_PENS] {
-        Pen::of_all(&self.player.scene().objects, self.view.size[1])
+    /// The pens that draw the cel of the objects that `members` numbers.
+    fn pens(&self, members: &[usize]) -> [Pen; MAX_PENS] {
+        Pen::of_all(&self.player.scene().objects, members, self.view.size[1])
     }
 
     /// How each object is drawn in a cel.
@@ -325,8 +330,8 @@ impl Setting<'_> {
     }
 
     /// Length of the shortest line that any object keeps, in samples.
-    fn ink_length_px(&self) -> f32 {
-        self.pens().iter().map(Pen::shortest_line_px).fold(0.0, f32::max)
+    fn ink_length_px(&self, members: &[usize]) -> f32 {
+        self.pens(members).iter().map(Pen::shortest_line_px).fold(0.0, f32::max)
     }
 
     /// Samples to a texel of the shadow mask: shadows need not be finer than the least tone.

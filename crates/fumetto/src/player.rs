@@ -3,7 +3,7 @@
 use std::{collections::BTreeMap, ops::Range};
 
 use fumetto_formats::{Model, ModelOptions, is_sequence, sequence_path};
-use fumetto_scene::{InkMethod, Matter, Mesh, Object, Particle, Puffs, Ramp, RampImage, Scene, Style};
+use fumetto_scene::{Ink, InkMethod, Matter, Mesh, Object, Particle, Puffs, Ramp, RampImage, Scene, Style};
 
 use crate::{
     Assets, Error,
@@ -12,7 +12,7 @@ use crate::{
     object::ObjectStyle,
     particles::Emission,
     shapes::{
-        mesh::{Geometry, MeshScene, Shells},
+        mesh::{Geometry, MeshScene, Shells, candidates},
         puffs::{Atlas, Placement, PuffObject, PuffScene, still_puffs},
     },
     tone::{Backdrop, Ramps},
@@ -108,7 +108,7 @@ impl Player {
             let object = &scene.objects[object as usize];
             object.visible && object.style.shadow.on && scene.lights.iter().any(|light| light.shadow)
         });
-        let meshes = MeshScene::new(gpu, &geometry, &shells)?;
+        let meshes = MeshScene::new(gpu, &geometry, &shells, &candidates(&geometry, &crease_degs(&scene)))?;
         let ramps = load_ramps(gpu, &scene, &*assets)?;
         let backdrop = load_backdrop(gpu, &scene, &*assets)?;
         let (steps, shown) = (0, None);
@@ -240,6 +240,13 @@ fn atlas(gpu: &Gpu, scene: &Scene) -> Result<(Vec<u32>, Atlas), Error> {
         firsts.push(kinds[..known].iter().map(|kind| kind.variants).sum());
     }
     Ok((firsts, Atlas::new(gpu, &kinds)?))
+}
+
+/// For each object the angle from which on edges are creases, where it wants lines along them.
+fn crease_degs(scene: &Scene) -> Vec<Option<f32>> {
+    let wanted = |ink: &Ink| ink.on && matches!(ink.method, InkMethod::Vector | InkMethod::Hybrid);
+    let inks = scene.objects.iter().map(|object| &object.style.ink);
+    inks.map(|ink| wanted(ink).then_some(ink.crease_deg)).collect()
 }
 
 fn seed_of(scene: &Scene, index: u32) -> u32 {

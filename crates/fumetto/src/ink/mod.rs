@@ -8,6 +8,9 @@ mod methods;
 mod outline;
 mod pen;
 mod shell;
+#[cfg(test)]
+mod tests;
+mod vector;
 
 pub(crate) use angle::Angle;
 pub(crate) use gather::{Gather, InkAround};
@@ -16,5 +19,6 @@ pub(crate) use methods::Methods;
 pub(crate) use outline::Outline;
 pub(crate) use pen::{MAX_PENS, Pen};
 pub(crate) use shell::Shell;
+pub(crate) use vector::{Lines, Vector};
 
 use outline::INK_FORMAT;

@@ -1,5 +1,6 @@
 //! Outlines by ink billboards behind the puffs.
 
+use super::Lines;
 use crate::{
     gpu::{DrawList, Frame, Gpu, RasterPipeline, Target, Transient, shader},
     layers::{self, Layers},
@@ -27,20 +28,25 @@ impl Outline {
         Self { pipeline: pipeline.build(&gpu.device, &module) }
     }
 
-    /// Inks the listed puffs.
+    /// Inks the listed puffs, among `lines` where there are any.
     pub(crate) fn record(
         &self,
         frame: &mut Frame<'_>,
         subject: Subject<'_>,
         list: &DrawList,
         layers: &Layers,
+        lines: Option<Lines>,
     ) -> Transient {
-        let ink = frame.texture("ink.outline", layers.size, INK_FORMAT);
+        let (ink, depth) = lines.map_or_else(
+            || (frame.texture("ink.outline", layers.size, INK_FORMAT), None),
+            |lines| (lines.ink, Some(lines.depth)),
+        );
+        let clear = depth.is_none().then_some(wgpu::Color::TRANSPARENT);
         let Atlas { view: texture, sampler, uniform, .. } = &subject.scene.atlas;
         frame.raster(
             "ink.outline",
             &self.pipeline,
-            Target::colour(&ink, Some(wgpu::Color::TRANSPARENT)).with_depth_test(&layers.depth),
+            Target::colour(&ink, clear).with_depth_test(depth.as_ref().unwrap_or(&layers.depth)),
             &[
                 subject.view.as_entire_binding(),
                 uniform.as_entire_binding(),

@@ -1,6 +1,6 @@
 //! How each kind of edge of each object is drawn, as shaders take it.
 
-use fumetto_scene::{EdgeKind, Object, Width, limits};
+use fumetto_scene::{EdgeKind, HiddenLines, InkMethod, Matter, Object, Width, limits};
 
 /// `Pen` of `pen.wgsl`.
 #[repr(C)]
@@ -14,10 +14,12 @@ pub(crate) struct Pen {
     shortest_px: f32,
     thinnest_px: f32,
     flags: u32,
-    pad: u32,
+    lit_thinning: f32,
 }
 
 const DRAWS: u32 = 1;
+const FOLLOWS_EDGES: u32 = 2;
+const DASHES_HIDDEN: u32 = 4;
 
 /// Pens that a frame may have: as many as the ink layer tells apart. Also in `pen.wgsl`.
 pub(crate) const MAX_PENS: usize = 256;
@@ -25,17 +27,20 @@ pub(crate) const MAX_PENS: usize = 256;
 const _: () = assert!(EdgeKind::ALL.len() * limits::MAX_OBJECTS < MAX_PENS, "every object has its pens");
 
 impl Pen {
-    /// The pens of all `objects`, in a picture `height_px` samples high; those beyond draw nothing.
-    pub(crate) fn of_all(objects: &[Object], height_px: u32) -> [Self; MAX_PENS] {
+    /// The pens of all `objects`, for the cel of those that `members` numbers, in a picture `height_px` samples
+    /// high; those beyond draw nothing.
+    pub(crate) fn of_all(objects: &[Object], members: &[usize], height_px: u32) -> [Self; MAX_PENS] {
         let mut all = [bytemuck::Zeroable::zeroed(); MAX_PENS];
-        let pens = |object| EdgeKind::ALL.map(|kind| Self::new(object, kind, height_px));
-        for (slot, pen) in all.iter_mut().zip(objects.iter().flat_map(pens)) {
+        let pens = |(index, object)| {
+            EdgeKind::ALL.map(|kind| Self::new(object, kind, members.contains(&index), height_px))
+        };
+        for (slot, pen) in all.iter_mut().zip(objects.iter().enumerate().flat_map(pens)) {
             *slot = pen;
         }
         all
     }
 
-    fn new(object: &Object, kind: EdgeKind, height_px: u32) -> Self {
+    fn new(object: &Object, kind: EdgeKind, in_cel: bool, height_px: u32) -> Self {
         let ink = &object.style.ink;
         let pen = ink.pen(kind);
         let scale = height_px as f32 / object.style.height_px;
@@ -44,6 +49,11 @@ impl Pen {
             Width::World(metres) => (0.0, metres),
         };
         let draws = ink.on && pen.on && (width_px > 0.0 || width_m > 0.0);
+        let follows_edges = draws
+            && in_cel
+            && matches!(object.matter, Matter::Mesh(_))
+            && matches!(ink.method, InkMethod::Vector | InkMethod::Hybrid);
+        let flag = |on, bit| if on { bit } else { 0 };
         Self {
             colour: ink.colour_of(kind).to_srgb8().map(|channel| f32::from(channel) / 255.0),
             opacity: object.opacity,
@@ -52,9 +62,16 @@ impl Pen {
             dash_px: pen.dash_px.unwrap_or_default().map(|px| px * scale),
             shortest_px: ink.shortest * width_px,
             thinnest_px: width_px * (1.0 - ink.lit_thinning),
-            flags: if draws { DRAWS } else { 0 },
-            pad: 0,
+            flags: flag(draws, DRAWS)
+                | flag(follows_edges, FOLLOWS_EDGES)
+                | flag(ink.hidden == HiddenLines::Dashed, DASHES_HIDDEN),
+            lit_thinning: ink.lit_thinning,
         }
+    }
+
+    /// Whether it draws along the edges of a model of the cel.
+    pub(crate) fn follows_edges(&self) -> bool {
+        self.flags & FOLLOWS_EDGES != 0
     }
 
     /// Length of the shortest line that is kept.
@@ -68,5 +85,5 @@ mod tests {
     use super::*;
     use crate::gpu::layout_test;
 
-    layout_test!(lies_as_its_twin: Pen, "Pen" of "tone/compose" { colour, opacity, width_px, width_m, dash_px, shortest_px, thinnest_px, flags });
+    layout_test!(lies_as_its_twin: Pen, "Pen" of "tone/compose" { colour, opacity, width_px, width_m, dash_px, shortest_px, thinnest_px, flags, lit_thinning });
 }

@@ -13,12 +13,15 @@ struct Pen {
     shortest_px: f32,
     // How wide lines are where the light thins them.
     thinnest_px: f32,
-    // Bit 0: draws.
+    // Bit 0: draws. Bit 1: along the edges of a model of this cel. Bit 2: dashes what is hidden.
     flags: u32,
-    pad: u32,
+    // Share of a line's width that goes where it faces the light.
+    lit_thinning: f32,
 }
 
 const DRAWS: u32 = 1u;
+const FOLLOWS_EDGES: u32 = 2u;
+const DASHES_HIDDEN: u32 = 4u;
 
 // Pens that a frame may have: as many as the ink layer tells apart. Also in `pen.rs`.
 const MAX_PENS: u32 = 256u;

@@ -4,6 +4,7 @@
 mod balls;
 mod cels;
 mod colours;
+mod edges;
 mod errors;
 mod ink;
 mod light;

@@ -43,10 +43,10 @@ pub(crate) struct Part {
     pub(crate) object: u32,
     pub(crate) material: u32,
     texture: i32,
-    look: u32,
+    pub(crate) look: u32,
 }
 
-const DOUBLE_SIDED: u32 = 16;
+pub(super) const DOUBLE_SIDED: u32 = 16;
 
 /// All models of a scene, copies counted singly.
 #[derive(Debug, Default)]

@@ -1,16 +1,23 @@
 //! Models: triangles from files, drawn into the layers that smoke fills too.
 
 mod body;
+mod edge_scene;
+mod edges;
 mod geometry;
 mod place;
 mod push;
 mod scene;
 mod shells;
 mod smooth;
+#[cfg(test)]
+mod tests;
 mod textures;
 mod weld;
 
 pub(crate) use body::Body;
+pub(crate) use edges::candidates;
+#[cfg(test)]
+pub(crate) use edges::{Candidate, bit};
 pub(crate) use geometry::Geometry;
 pub(crate) use place::Place;
 pub(crate) use scene::{Casters, MeshError, MeshScene};

@@ -1,6 +1,8 @@
 use std::ops::Range;
 
 use super::{
+    edge_scene::EdgeScene,
+    edges::Candidate,
     geometry::{Geometry, Part, Source, Triangle},
     push::Push,
     shells::{Edge, Shells},
@@ -33,6 +35,8 @@ pub(crate) struct MeshScene {
     /// Array of the parts' textures.
     pub(crate) textures: wgpu::TextureView,
     pub(crate) sampler: wgpu::Sampler,
+    /// Where lines may run.
+    pub(crate) edges: EdgeScene,
     /// Each object's triangles, by its number.
     pub(crate) objects: Vec<Range<u32>>,
     /// Whether a texture cuts holes into any of them.
@@ -71,11 +75,17 @@ pub struct MeshError {
 }
 
 impl MeshScene {
-    /// `shells` are those of `geometry`.
-    pub(crate) fn new(gpu: &Gpu, geometry: &Geometry, shells: &Shells) -> Result<Self, MeshError> {
+    /// `shells` and `candidates` are those of `geometry`.
+    pub(crate) fn new(
+        gpu: &Gpu,
+        geometry: &Geometry,
+        shells: &Shells,
+        candidates: &[Candidate],
+    ) -> Result<Self, MeshError> {
         let Geometry { sources, triangles, parts, smoothed, bodies, pushes, .. } = geometry;
         let source_bytes = room(gpu, "vertices", sources.len(), size_of::<Source>())?;
         let triangle_bytes = room(gpu, "triangles", triangles.len(), size_of::<Triangle>())?;
+        room(gpu, "places for lines", candidates.len(), size_of::<Candidate>())?;
         let part_bytes = room(gpu, "parts", parts.len(), size_of::<Part>())?;
         let buffer = |label, size| buffer(gpu, label, size);
         let (textures, sampler) = textures(gpu, &geometry.textures);
@@ -90,6 +100,7 @@ impl MeshScene {
             pushes: buffer("shapes.mesh.pushes", size_of_val(&pushes[..]).max(size_of::<Push>()) as u64),
             textures,
             sampler,
+            edges: EdgeScene::new(gpu, candidates),
             objects: geometry.objects.clone(),
             has_holes: geometry.has_holes,
             casters: Casters::new(gpu, shells)?,

@@ -5,23 +5,41 @@ use super::geometry::{Part, Source, Triangle};
 /// For each vertex of an object, the lowest of those that lie where it lies, and stay there however parts
 /// move: they stand in the same frame. Numbers count from the object's first vertex.
 pub(super) fn weld(sources: &[Source], parts: &[Part]) -> Vec<usize> {
-    // Adding 0 makes one of the two zeros.
-    let bits = |number: f32| (number + 0.0).to_bits();
-    let frame = |source: &Source| parts[source.part as usize].world_from_part.to_cols_array().map(bits);
-    let place = |index: usize| sources[index].position.map(bits);
-    let mut order: Vec<usize> = (0..sources.len()).collect();
-    order.sort_by_key(|&index| (place(index), frame(&sources[index])));
-    let mut welded = vec![0; sources.len()];
-    let mut first = 0;
-    for at in 0..order.len() {
-        let (a, b) = (order[first], order[at]);
-        if place(a) != place(b) || frame(&sources[a]) != frame(&sources[b]) {
-            first = at;
+    let bits = |part: &Part| part.world_from_part.to_cols_array().map(bits);
+    let mut order: Vec<usize> = (0..parts.len()).collect();
+    order.sort_by_key(|&part| bits(&parts[part]));
+    let mut frames = vec![0; parts.len()];
+    for same in order.chunk_by(|&a, &b| bits(&parts[a]) == bits(&parts[b])) {
+        for &part in same {
+            frames[part] = same[0];
         }
-        // The sort is stable, so the first of equals has the lowest number.
-        welded[order[at]] = order[first];
+    }
+    weld_within(sources, &frames)
+}
+
+/// The same for vertices whose parts have the same of the `groups`.
+pub(super) fn weld_within(sources: &[Source], groups: &[usize]) -> Vec<usize> {
+    let mut places: Vec<([u32; 4], usize)> = sources
+        .iter()
+        .enumerate()
+        .map(|(number, source)| {
+            let [x, y, z] = source.position.map(bits);
+            ([groups[source.part as usize] as u32, x, y, z], number)
+        })
+        .collect();
+    places.sort_unstable();
+    let mut welded = vec![0; places.len()];
+    for same in places.chunk_by(|a, b| a.0 == b.0) {
+        for &(_, number) in same {
+            welded[number] = same[0].1;
+        }
     }
     welded
+}
+
+/// Adding 0 makes one of the two zeros.
+fn bits(number: f32) -> u32 {
+    (number + 0.0).to_bits()
 }
 
 /// For each triangle of an object, a number that it shares with all that it hangs together with: that of

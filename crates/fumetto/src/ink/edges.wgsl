@@ -1,0 +1,36 @@
+// Finds the candidates whose lines may be seen from the camera.
+
+@group(0) @binding(1) var<storage, read> candidates: array<Candidate>;
+@group(0) @binding(2) var<storage, read> vertices: array<Vertex>;
+@group(0) @binding(3) var<uniform> pens: array<Pen, MAX_PENS>;
+@group(0) @binding(4) var<storage, read_write> flags: array<u32>;
+
+// Whether all of a segment lies behind the near plane, or beyond one side of the picture.
+fn is_outside(segment: Segment) -> bool {
+    let start = (view.view_from_world * vec4f(segment.start, 1.0)).xyz;
+    let end = (view.view_from_world * vec4f(segment.end, 1.0)).xyz;
+    if max(-start.z, -end.z) < view.near {
+        return true;
+    }
+    // Half the widest that the line gets on the picture.
+    let margin = pen_width_px(pens[segment.pen], max(min(-start.z, -end.z), view.near));
+    let reach = (0.5 * view.size_px + margin) / view.focal_px;
+    let low = (start.xy < reach * start.z) & (end.xy < reach * end.z);
+    let high = (start.xy > -reach * start.z) & (end.xy > -reach * end.z);
+    return any(low | high);
+}
+
+@compute @workgroup_size(256)
+fn main(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: vec3u, @builtin(local_invocation_index) lane: u32) {
+    let index = (group.y * groups.x + group.x) * 256u + lane;
+    if index >= arrayLength(&candidates) {
+        return;
+    }
+    let segment = segment_of(candidates[index]);
+    var shows = segment.pen != NO_PEN;
+    if shows {
+        let dashed = (pens[segment.pen].flags & DASHES_HIDDEN) != 0u;
+        shows = (!segment.behind || dashed) && !is_outside(segment);
+    }
+    flags[index] = select(0u, 1u << (segment.pen % KINDS), shows);
+}
