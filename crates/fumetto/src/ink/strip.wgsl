@@ -206,7 +206,8 @@ fn fragment(corner: Corner) -> Mark {
     } else if corner.right.w > 0.0 && !is_dashed(corner, middle, share, pen.dash_px) {
         discard;
     }
-    // Over all that it has been found to lie before.
-    let over = max(own, depth) * (1.0 + RANK_STEP * (0.5 + rank));
+    // Over all that it has been found to lie before, or let through.
+    let claim = select(depth, corner.left.w, (corner.marks.y & CONTOUR_MARK) != 0u && !hidden);
+    let over = max(own, claim) * (1.0 + RANK_STEP * (0.5 + rank));
     return Mark(vec2u(corner.marks.x + 1u, 255u), min(over, 1.0));
 }
