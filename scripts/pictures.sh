@@ -63,12 +63,12 @@ draw cumulus shadow-on.png "${low_sun[@]}" "${small[@]}"
 draw cumulus shadow-off.png "${low_sun[@]}" --set style.shadow.on=false "${small[@]}"
 
 # The plate of shadings, and each of them by itself: in its place of four columns and three rows.
-draw shadings shadings.png --size 960x720
+draw shadings shadings.png --size 640x480 --set style.height=800
 shadings=(gouraud solid two-tone three-tone steps ramp air focus velvet gooch exaggerated rim)
 for i in "${!shadings[@]}"; do
     eye=$((-420 + 280 * (i % 4)))e-2
     height=$((677 - 280 * (i / 4)))
-    draw shadings "shading-${shadings[i]}.png" --size 240x240 --set camera.fov=2.65 \
+    draw shadings "shading-${shadings[i]}.png" --size 240x240 --set camera.fov=2.65 --set style.height=400 \
         --set "camera.eye=[$eye, $((height + 803))e-2, 60]" --set "camera.target=[$eye, ${height}e-2, 0]"
 done
 

@@ -90,7 +90,7 @@ pub struct Rim {
     pub from: f32,
 }
 
-/// Shading that brings out relief of all sizes (Rusinkiewicz, Burns & DeCarlo 2006).
+/// Shading that brings out relief of all sizes (Rusinkiewicz, Burns & `DeCarlo` 2006).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Exaggerate {
     /// From light as it is (0) to light as it shows relief best (1).

@@ -127,15 +127,14 @@ mod tests {
 
     #[test]
     fn packing_is_undone() {
-        for normal in [Vec3::X, -Vec3::Z, Vec3::new(0.6, -0.5, -0.62), Vec3::new(-0.1, 0.2, 0.97)] {
-            let normal = normal.normalize();
+        for normal in [Vec3::X, -Vec3::Z, Vec3::new(0.48, -0.6, -0.64), Vec3::new(-0.36, 0.48, 0.8)] {
             assert!(unpacked(octahedral(normal)).distance(normal) < 1e-4, "{normal}");
         }
     }
 
     #[test]
     fn a_flat_surface_stays_as_it_is() {
-        let normal = Vec3::new(0.3, -0.2, 0.9).normalize();
+        let normal = Vec3::new(0.36, -0.48, 0.8);
         let mut geometry = strip(&[normal; 20]);
         geometry.smooth(&(0..1), 8);
         for smoothed in geometry.smoothed.iter().flatten() {
@@ -146,7 +145,7 @@ mod tests {
     #[test]
     fn relief_vanishes_from_the_finest_to_the_coarsest() {
         let tilt = |i: usize| 0.5 * (i as f32 * std::f32::consts::TAU / 12.0).sin();
-        let normals: Vec<_> = (0..120).map(|i| Vec3::new(tilt(i), 0.0, 1.0).normalize()).collect();
+        let normals: Vec<_> = (0..120).map(|i| Vec3::new(tilt(i), 0.0, 1.0).normalize_or(Vec3::Z)).collect();
         let mut geometry = strip(&normals);
         geometry.smooth(&(0..1), 8);
         let swing = |scale: usize| {
