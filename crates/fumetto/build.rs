@@ -189,7 +189,7 @@ const PROGRAMS: &[(&str, &[&str])] = &[
     ),
     ("ink/flood", &["ink/seed", "ink/tiles", "ink/flood"]),
     (
-        "ink/stroke",
+        "ink/flooded",
         &[
             "gpu/view",
             "shapes/puffs/puff",
@@ -197,7 +197,7 @@ const PROGRAMS: &[(&str, &[&str])] = &[
             "ink/pen",
             "ink/seed",
             "ink/tiles",
-            "ink/stroke",
+            "ink/flooded",
         ],
     ),
     ("ink/share", &["gpu/fullscreen", "ink/share"]),

@@ -67,8 +67,10 @@ impl ObjectStyle {
             shadow_reach: style.shadow.reach,
             shadow_start: style.shadow.start,
             shadow_size: style.shadow.size,
-            flags: flag(style.ink.on && style.ink.silhouette.on && method & (ANGLE_INK | IMAGE_INK) == 0, HAS_INK)
-                | flag(style.ink.on, method)
+            flags: flag(
+                style.ink.on && style.ink.silhouette.on && method & (ANGLE_INK | IMAGE_INK) == 0,
+                HAS_INK,
+            ) | flag(style.ink.on, method)
                 | flag(style.shadow.on && object.visible, THROWS_SHADOW)
                 | flag(in_cel, IN_CEL),
             form_scale: style.form_scale,

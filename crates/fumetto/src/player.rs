@@ -3,9 +3,7 @@
 use std::{collections::BTreeMap, ops::Range};
 
 use fumetto_formats::{Model, ModelOptions, is_sequence, sequence_path};
-use fumetto_scene::{
-    InkMethod, Matter, Mesh, Object, Particle, Puffs, Ramp, RampImage, Scene, Style,
-};
+use fumetto_scene::{InkMethod, Matter, Mesh, Object, Particle, Puffs, Ramp, RampImage, Scene, Style};
 
 use crate::{
     Assets, Error,

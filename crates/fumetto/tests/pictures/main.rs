@@ -6,6 +6,7 @@ mod cels;
 mod colours;
 mod errors;
 mod ink;
+mod ink_methods;
 mod light;
 mod meshes;
 mod models;

@@ -9,9 +9,9 @@ use glam::{EulerRot, Mat4, Quat, Vec3};
 use half::f16;
 
 use super::{
+    pieces::{pieces, weld},
     push::{Push, pushes},
     smooth::MAX_SCALES,
-    weld::{bodies, weld},
 };
 
 /// `Source` of `mesh.wgsl`.
@@ -57,7 +57,7 @@ pub(crate) struct Geometry {
     /// Smoothed normals of each source, as far as any object wants them.
     pub(crate) smoothed: Vec<[u32; MAX_SCALES]>,
     /// For each triangle, a number that it shares with those that it hangs together with.
-    pub(crate) bodies: Vec<u32>,
+    pub(crate) pieces: Vec<u32>,
     /// How each of the first vertices moves when its object gets larger all round, as far as any wants that.
     pub(crate) pushes: Vec<Push>,
     /// For each part the first of those that always move as it does.
@@ -95,9 +95,9 @@ impl Geometry {
         self.materials += model.materials.len() as u32;
         self.objects.push(first_triangle..self.triangles.len() as u32);
         let vertices = self.vertices(object as usize);
-        let welded = weld(&self.sources[vertices.clone()], &self.parts);
+        let welded = weld(&self.sources[vertices.clone()], &self.groups);
         let triangles = &self.triangles[first_triangle as usize..];
-        self.bodies.extend(bodies(triangles, &welded, vertices.start as u32));
+        self.pieces.extend(pieces(triangles, &welded, vertices.start as u32));
         first_part..self.parts.len()
     }
 
@@ -107,7 +107,7 @@ impl Geometry {
         let sources = &self.sources[vertices.clone()];
         let Range { start, end } = self.objects[object];
         let triangles = &self.triangles[start as usize..end as usize];
-        let found = pushes(sources, triangles, &weld(sources, &self.parts), vertices.start as u32);
+        let found = pushes(sources, triangles, &weld(sources, &self.groups), vertices.start as u32);
         self.pushes.resize(vertices.start, Push::default());
         self.pushes.extend(found);
     }
@@ -227,9 +227,10 @@ pub(super) mod tests {
 
     /// The geometry of one object.
     pub(in super::super) fn geometry_of(obj: &str) -> Geometry {
-        let model = fumetto_formats::read_model("test.obj", obj.as_bytes(), ModelOptions::default(), &mut |_| {
-            Err(std::io::ErrorKind::NotFound.into())
-        });
+        let model =
+            fumetto_formats::read_model("test.obj", obj.as_bytes(), ModelOptions::default(), &mut |_| {
+                Err(std::io::ErrorKind::NotFound.into())
+            });
         let still = Transform { position: [0.0; 3], rotation_deg: [0.0; 3], scale: [1.0; 3] };
         let mesh = Mesh { model: "test.obj".into(), z_up: false, smooth_deg: None, copies: vec![still] };
         let mut geometry = Geometry::default();
@@ -245,7 +246,8 @@ pub(super) mod tests {
                 let side = |axis: u32| 2.0 * ((corner >> axis) & 1) as f32 - 1.0;
                 obj += &format!("v {} {} {}\n", x + side(0), y + side(1), z + side(2));
             }
-            obj += "f -8 -6 -5 -7\nf -4 -3 -1 -2\nf -8 -7 -3 -4\nf -6 -2 -1 -5\nf -8 -4 -2 -6\nf -7 -5 -1 -3\n";
+            obj +=
+                "f -8 -6 -5 -7\nf -4 -3 -1 -2\nf -8 -7 -3 -4\nf -6 -2 -1 -5\nf -8 -4 -2 -6\nf -7 -5 -1 -3\n";
         }
         obj
     }

@@ -2,13 +2,13 @@
 
 mod body;
 mod geometry;
+mod pieces;
 mod place;
 mod push;
 mod scene;
 mod shells;
 mod smooth;
 mod textures;
-mod weld;
 
 pub(crate) use body::Body;
 pub(crate) use geometry::Geometry;

@@ -38,12 +38,7 @@ impl Round {
 
 /// How each vertex of an object moves, in the coordinates of its part. The object's first vertex is
 /// `first`; vertices that are `welded` move as one, so that no gaps open where normals are split.
-pub(super) fn pushes(
-    sources: &[Source],
-    triangles: &[Triangle],
-    welded: &[usize],
-    first: u32,
-) -> Vec<Push> {
+pub(super) fn pushes(sources: &[Source], triangles: &[Triangle], welded: &[usize], first: u32) -> Vec<Push> {
     let mut outward = vec![Round::default(); sources.len()];
     let mut sideways = outward.clone();
     let mut edges = Vec::with_capacity(3 * triangles.len());

@@ -27,7 +27,7 @@ pub(crate) struct MeshScene {
     /// `Part`s of `mesh.wgsl`.
     pub(crate) parts: wgpu::Buffer,
     /// For each triangle, a number that it shares with those that it hangs together with.
-    pub(crate) bodies: wgpu::Buffer,
+    pub(crate) pieces: wgpu::Buffer,
     /// `Push`es of `mesh.wgsl`, of each of the first vertices; of an object that wants none, whatever.
     pub(crate) pushes: wgpu::Buffer,
     /// Array of the parts' textures.
@@ -73,7 +73,7 @@ pub struct MeshError {
 impl MeshScene {
     /// `shells` are those of `geometry`.
     pub(crate) fn new(gpu: &Gpu, geometry: &Geometry, shells: &Shells) -> Result<Self, MeshError> {
-        let Geometry { sources, triangles, parts, smoothed, bodies, pushes, .. } = geometry;
+        let Geometry { sources, triangles, parts, smoothed, pieces, pushes, .. } = geometry;
         let source_bytes = room(gpu, "vertices", sources.len(), size_of::<Source>())?;
         let triangle_bytes = room(gpu, "triangles", triangles.len(), size_of::<Triangle>())?;
         let part_bytes = room(gpu, "parts", parts.len(), size_of::<Part>())?;
@@ -86,7 +86,7 @@ impl MeshScene {
             vertex_count: sources.len() as u32,
             triangles: buffer("shapes.mesh.triangles", triangle_bytes),
             parts: buffer("shapes.mesh.parts", part_bytes),
-            bodies: buffer("shapes.mesh.bodies", size_of_val(&bodies[..]).max(4) as u64),
+            pieces: buffer("shapes.mesh.pieces", size_of_val(&pieces[..]).max(4) as u64),
             pushes: buffer("shapes.mesh.pushes", size_of_val(&pushes[..]).max(size_of::<Push>()) as u64),
             textures,
             sampler,
@@ -97,7 +97,7 @@ impl MeshScene {
         gpu.queue.write_buffer(&scene.sources, 0, bytemuck::cast_slice(sources));
         gpu.queue.write_buffer(&scene.smoothed, 0, bytemuck::cast_slice(smoothed));
         gpu.queue.write_buffer(&scene.triangles, 0, bytemuck::cast_slice(triangles));
-        gpu.queue.write_buffer(&scene.bodies, 0, bytemuck::cast_slice(bodies));
+        gpu.queue.write_buffer(&scene.pieces, 0, bytemuck::cast_slice(pieces));
         gpu.queue.write_buffer(&scene.pushes, 0, bytemuck::cast_slice(pushes));
         scene.upload_parts(gpu, parts);
         Ok(scene)
