@@ -190,7 +190,7 @@ const PROGRAMS: &[(&str, &[&str])] = &[
     ),
     ("ink/flood", &["ink/seed", "ink/tiles", "ink/flood"]),
     (
-        "ink/stroke",
+        "ink/flooded",
         &[
             "gpu/view",
             "shapes/puffs/puff",
@@ -198,7 +198,7 @@ const PROGRAMS: &[(&str, &[&str])] = &[
             "ink/pen",
             "ink/seed",
             "ink/tiles",
-            "ink/stroke",
+            "ink/flooded",
         ],
     ),
     (

@@ -30,13 +30,19 @@ fn fragment(@builtin(position) position: vec4f) -> @location(0) vec2u {
     if (style.flags & ANGLE_INK) == 0u || (pens[number].flags & DRAWS) == 0u {
         discard;
     }
-    var normal = textureLoad(normals, px, 0).xyz;
-    if !is_puff {
-        normal = mesh_surface(id & ~TRIANGLE_BIT, position.xy).normal;
-    }
     let ray = world_ray(position.xy);
     let place = view.world_from_view[3].xyz + ray * distance_of(textureLoad(depth_layer, px, 0));
-    if dot(normal, -normalize(ray)) >= style.ink_facing * thinned(style, normal, place) {
+    let toward_viewer = -normalize(ray);
+    var normal = textureLoad(normals, px, 0).xyz;
+    var facing = 0.0;
+    if is_puff {
+        // Bent toward the form of the cloud, normals may look away where a puff does not.
+        facing = max(dot(normal, toward_viewer), dot(normalize(place - puff.center), toward_viewer));
+    } else {
+        normal = mesh_surface(id & ~TRIANGLE_BIT, position.xy).normal;
+        facing = dot(normal, toward_viewer);
+    }
+    if facing >= style.ink_facing * thinned(style, normal, place) {
         discard;
     }
     let opacity = select(1.0, puff_fade(puff).y, is_puff);

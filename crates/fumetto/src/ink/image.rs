@@ -15,7 +15,7 @@ use crate::{
 pub(crate) struct Image {
     find: wgpu::RenderPipeline,
     flood: Flood,
-    stroke: wgpu::RenderPipeline,
+    draw: wgpu::RenderPipeline,
 }
 
 impl Image {
@@ -28,7 +28,7 @@ impl Image {
         Self {
             find: build("ink.image", shader!("ink/image"), SEED_FORMAT, Some(layers::where_filled())),
             flood: Flood::new(gpu),
-            stroke: build("ink.stroke", shader!("ink/stroke"), INK_FORMAT, None),
+            draw: build("ink.flooded", shader!("ink/flooded"), INK_FORMAT, None),
         }
     }
 
@@ -49,8 +49,8 @@ impl Image {
         let seeds = self.find(frame, subject, methods.radius_px, layers, (ink, &tiles_found));
         let flooded = self.flood.record(frame, seeds, layers.size, &tiles_found, methods.radius_px);
         frame.raster(
-            "ink.stroke",
-            &self.stroke,
+            "ink.flooded",
+            &self.draw,
             Target::colour(ink, None),
             &[
                 subject.view.as_entire_binding(),
@@ -92,7 +92,7 @@ impl Image {
                 meshes.vertices.as_entire_binding(),
                 meshes.triangles.as_entire_binding(),
                 meshes.parts.as_entire_binding(),
-                meshes.bodies.as_entire_binding(),
+                meshes.pieces.as_entire_binding(),
                 tiles.as_entire_binding(),
                 wgpu::BindingResource::TextureView(&layers.id),
                 wgpu::BindingResource::TextureView(&layers.depth),

@@ -18,7 +18,7 @@ struct Image {
 @group(0) @binding(6) var<storage, read> vertices: array<Vertex>;
 @group(0) @binding(7) var<storage, read> triangles: array<Triangle>;
 @group(0) @binding(8) var<storage, read> parts: array<Part>;
-@group(0) @binding(9) var<storage, read> bodies: array<u32>;
+@group(0) @binding(9) var<storage, read> pieces: array<u32>;
 @group(0) @binding(10) var<storage, read_write> tiles: array<atomic<u32>>;
 @group(0) @binding(11) var id_layer: texture_2d<u32>;
 @group(0) @binding(12) var depth_layer: texture_depth_2d;
@@ -30,7 +30,7 @@ const STEP_PX: f32 = 1.5;
 // Distance from a puff, in its radii, within which shapes run into each other.
 const TOUCH: f32 = 0.5;
 
-// Cosine of the angle, 15 degrees, under which bodies that run into each other look like one.
+// Cosine of the angle, 15 degrees, under which pieces that run into each other look like one.
 const TURN: f32 = 0.966;
 
 // Lines that taper end where they are narrower than this, in pixels.
@@ -40,7 +40,7 @@ const THINNEST_PX: f32 = 0.7;
 struct Seen {
     id: u32,
     object: u32,
-    body: u32,
+    piece: u32,
     material: u32,
     place: vec3f,
     // Along the line of sight.
@@ -77,7 +77,7 @@ fn seen_at(id: u32, px: vec2i) -> Seen {
     let a = vertices[triangle.corners.x].position;
     let across = cross(vertices[triangle.corners.y].position - a, vertices[triangle.corners.z].position - a);
     let normal = across * (-sign(dot(across, ray)) * inverseSqrt(max(dot(across, across), 1e-30)));
-    return Seen(id, part.object, bodies[number], part.material, place, distance, normal, 0.0, 1.0);
+    return Seen(id, part.object, pieces[number], part.material, place, distance, normal, 0.0, 1.0);
 }
 
 fn draws(object: u32, kind: u32) -> bool {
@@ -126,7 +126,7 @@ fn mesh_edge(p: Seen, q: Seen) -> Edge {
         return found(SILHOUETTE, 1.0, is_image && p.distance < q.distance);
     }
     let turn = dot(p.normal, q.normal);
-    let merged = p.body != q.body && turn < TURN;
+    let merged = p.piece != q.piece && turn < TURN;
     if p.object != q.object {
         return meeting(p, q, merged, 1.0);
     }

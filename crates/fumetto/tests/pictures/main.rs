@@ -7,6 +7,7 @@ mod colours;
 mod edges;
 mod errors;
 mod ink;
+mod ink_methods;
 mod light;
 mod meshes;
 mod models;

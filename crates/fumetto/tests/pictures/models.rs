@@ -37,3 +37,34 @@ pub(crate) fn square(half: f32) -> String {
          vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n"
     )
 }
+
+/// Boxes of 2 by 2 by 2 around `middles`.
+pub(crate) fn boxes(middles: &[[f32; 3]]) -> String {
+    let mut obj = String::new();
+    for [x, y, z] in middles {
+        for corner in 0..8 {
+            let side = |axis: u32| 2.0 * ((corner >> axis) & 1) as f32 - 1.0;
+            writeln!(obj, "v {} {} {}", x + side(0), y + side(1), z + side(2)).unwrap();
+        }
+        obj += "f -8 -6 -5 -7\nf -4 -3 -1 -2\nf -8 -7 -3 -4\nf -6 -2 -1 -5\nf -8 -4 -2 -6\nf -7 -5 -1 -3\n";
+    }
+    obj
+}
+
+/// A square like [`square`], of `cells` by `cells` smaller ones.
+pub(crate) fn grid(half: f32, cells: u32) -> String {
+    let mut obj = String::new();
+    let at = |step: u32| half * (2.0 * step as f32 / cells as f32 - 1.0);
+    for y in 0..=cells {
+        for x in 0..=cells {
+            writeln!(obj, "v {} {} 0", at(x), at(y)).unwrap();
+        }
+    }
+    for y in 0..cells {
+        for x in 0..cells {
+            let a = 1 + y * (cells + 1) + x;
+            writeln!(obj, "f {a} {} {} {}", a + 1, a + cells + 2, a + cells + 1).unwrap();
+        }
+    }
+    obj
+}

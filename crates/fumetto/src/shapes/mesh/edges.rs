@@ -9,8 +9,8 @@ use glam::Vec3;
 
 use super::{
     geometry::{DOUBLE_SIDED, Geometry},
+    pieces::weld,
     smooth::unpacked,
-    weld::weld_within,
 };
 
 /// `Candidate` of `candidate.wgsl`: an edge with its triangles, or a triangle with a contour in it.
@@ -56,7 +56,7 @@ type HalfEdge = u32;
 pub(crate) fn candidates(geometry: &Geometry, crease_degs: &[Option<f32>]) -> Vec<Candidate> {
     let finder = Finder {
         geometry,
-        welded: weld_within(&geometry.sources, &geometry.groups),
+        welded: weld(&geometry.sources, &geometry.groups),
         normals: geometry.sources.iter().map(|source| unpacked(source.normal)).collect(),
         faces: (0..geometry.triangles.len()).map(|number| face_normal(geometry, number)).collect(),
         crease_cosines: crease_degs.iter().map(|deg| deg.map(|deg| deg.to_radians().cos())).collect(),

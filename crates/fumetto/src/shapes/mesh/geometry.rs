@@ -9,9 +9,9 @@ use glam::{EulerRot, Mat4, Quat, Vec3};
 use half::f16;
 
 use super::{
+    pieces::{pieces, weld},
     push::{Push, pushes},
     smooth::MAX_SCALES,
-    weld::{bodies, weld},
 };
 
 /// `Source` of `mesh.wgsl`.
@@ -57,7 +57,7 @@ pub(crate) struct Geometry {
     /// Smoothed normals of each source, as far as any object wants them.
     pub(crate) smoothed: Vec<[u32; MAX_SCALES]>,
     /// For each triangle, a number that it shares with those that it hangs together with.
-    pub(crate) bodies: Vec<u32>,
+    pub(crate) pieces: Vec<u32>,
     /// How each of the first vertices moves when its object gets larger all round, as far as any wants that.
     pub(crate) pushes: Vec<Push>,
     /// For each part the first of those that always move as it does.
@@ -95,9 +95,9 @@ impl Geometry {
         self.materials += model.materials.len() as u32;
         self.objects.push(first_triangle..self.triangles.len() as u32);
         let vertices = self.vertices(object as usize);
-        let welded = weld(&self.sources[vertices.clone()], &self.parts);
+        let welded = weld(&self.sources[vertices.clone()], &self.groups);
         let triangles = &self.triangles[first_triangle as usize..];
-        self.bodies.extend(bodies(triangles, &welded, vertices.start as u32));
+        self.pieces.extend(pieces(triangles, &welded, vertices.start as u32));
         first_part..self.parts.len()
     }
 
@@ -107,7 +107,7 @@ impl Geometry {
         let sources = &self.sources[vertices.clone()];
         let Range { start, end } = self.objects[object];
         let triangles = &self.triangles[start as usize..end as usize];
-        let found = pushes(sources, triangles, &weld(sources, &self.parts), vertices.start as u32);
+        let found = pushes(sources, triangles, &weld(sources, &self.groups), vertices.start as u32);
         self.pushes.resize(vertices.start, Push::default());
         self.pushes.extend(found);
     }

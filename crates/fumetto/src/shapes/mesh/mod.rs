@@ -4,6 +4,7 @@ mod body;
 mod edge_scene;
 mod edges;
 mod geometry;
+mod pieces;
 mod place;
 mod push;
 mod scene;
@@ -12,7 +13,6 @@ mod smooth;
 #[cfg(test)]
 mod tests;
 mod textures;
-mod weld;
 
 pub(crate) use body::Body;
 pub(crate) use edges::candidates;

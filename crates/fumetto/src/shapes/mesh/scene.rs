@@ -29,7 +29,7 @@ pub(crate) struct MeshScene {
     /// `Part`s of `mesh.wgsl`.
     pub(crate) parts: wgpu::Buffer,
     /// For each triangle, a number that it shares with those that it hangs together with.
-    pub(crate) bodies: wgpu::Buffer,
+    pub(crate) pieces: wgpu::Buffer,
     /// `Push`es of `mesh.wgsl`, of each of the first vertices; of an object that wants none, whatever.
     pub(crate) pushes: wgpu::Buffer,
     /// Array of the parts' textures.
@@ -82,7 +82,7 @@ impl MeshScene {
         shells: &Shells,
         candidates: &[Candidate],
     ) -> Result<Self, MeshError> {
-        let Geometry { sources, triangles, parts, smoothed, bodies, pushes, .. } = geometry;
+        let Geometry { sources, triangles, parts, smoothed, pieces, pushes, .. } = geometry;
         let source_bytes = room(gpu, "vertices", sources.len(), size_of::<Source>())?;
         let triangle_bytes = room(gpu, "triangles", triangles.len(), size_of::<Triangle>())?;
         room(gpu, "places for lines", candidates.len(), size_of::<Candidate>())?;
@@ -96,7 +96,7 @@ impl MeshScene {
             vertex_count: sources.len() as u32,
             triangles: buffer("shapes.mesh.triangles", triangle_bytes),
             parts: buffer("shapes.mesh.parts", part_bytes),
-            bodies: buffer("shapes.mesh.bodies", size_of_val(&bodies[..]).max(4) as u64),
+            pieces: buffer("shapes.mesh.pieces", size_of_val(&pieces[..]).max(4) as u64),
             pushes: buffer("shapes.mesh.pushes", size_of_val(&pushes[..]).max(size_of::<Push>()) as u64),
             textures,
             sampler,
@@ -108,7 +108,7 @@ impl MeshScene {
         gpu.queue.write_buffer(&scene.sources, 0, bytemuck::cast_slice(sources));
         gpu.queue.write_buffer(&scene.smoothed, 0, bytemuck::cast_slice(smoothed));
         gpu.queue.write_buffer(&scene.triangles, 0, bytemuck::cast_slice(triangles));
-        gpu.queue.write_buffer(&scene.bodies, 0, bytemuck::cast_slice(bodies));
+        gpu.queue.write_buffer(&scene.pieces, 0, bytemuck::cast_slice(pieces));
         gpu.queue.write_buffer(&scene.pushes, 0, bytemuck::cast_slice(pushes));
         scene.upload_parts(gpu, parts);
         Ok(scene)
