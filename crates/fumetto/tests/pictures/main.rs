@@ -8,6 +8,7 @@ mod edges;
 mod errors;
 mod ink;
 mod light;
+mod mesh_shadows;
 mod meshes;
 mod models;
 mod occlusion;
