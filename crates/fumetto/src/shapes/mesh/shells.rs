@@ -235,7 +235,8 @@ mod tests {
 
     #[test]
     fn inside_out_it_casts_with_the_others() {
-        let turned = TETRAHEDRON.replace("f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4", "f 1 2 3\nf 1 4 2\nf 1 3 4\nf 2 4 3");
+        let turned =
+            TETRAHEDRON.replace("f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4", "f 1 2 3\nf 1 4 2\nf 1 3 4\nf 2 4 3");
         assert_eq!(one(&turned).casting, [LIT_CASTS; 4]);
     }
 
