@@ -3,7 +3,7 @@
 use std::time::{Duration, Instant};
 
 use anyhow::Context as _;
-use fumetto::{Engine, PICTURE_FORMAT, Player, Shot};
+use fumetto::{Assets, Engine, PICTURE_FORMAT, Player, Shot};
 
 use crate::{
     cloud::{self, Cloud},
@@ -98,7 +98,8 @@ particles = "{particles}"
     }
 }
 
-struct Sitter {
+/// A scene that stays as it is while its picture is taken.
+pub(crate) struct Sitter {
     player: Player,
     shot: Shot,
 }
@@ -110,10 +111,20 @@ fn measure(
     budget: Budget,
 ) -> anyhow::Result<Vec<Samples>> {
     let cloud = Cloud::new(size);
-    let mut cases = variants
-        .iter()
-        .map(|variant| sit(engine, variant, &cloud).with_context(|| (*variant).to_owned()))
-        .collect::<anyhow::Result<Vec<_>>>()?;
+    let cases = variants.iter().map(|variant| {
+        let look = Look::of(variant).context("there is no such variant")?;
+        Sitter::new(engine, variant, &look.scene(), Box::new(cloud.clone()))
+    });
+    let cases = cases.collect::<anyhow::Result<Vec<_>>>()?;
+    time(engine, cases, budget)
+}
+
+/// Draws all of them in turn, round by round, at 1280 x 720 pixels.
+pub(crate) fn time(
+    engine: &mut Engine,
+    mut cases: Vec<Sitter>,
+    budget: Budget,
+) -> anyhow::Result<Vec<Samples>> {
     let target = target(engine);
     rounds(&mut cases, budget, |case| {
         // The engine frees textures that a few pictures in a row did not need, as those of other variants
@@ -123,12 +134,19 @@ fn measure(
     })
 }
 
-fn sit(engine: &Engine, variant: &str, cloud: &Cloud) -> anyhow::Result<Sitter> {
-    let look = Look::of(variant).context("there is no such variant")?;
-    let mut player = engine.play(scene::load(variant, &look.scene())?, Box::new(cloud.clone()))?;
-    engine.seek(&mut player, 0)?;
-    let shot = Shot::of(player.scene());
-    Ok(Sitter { player, shot })
+impl Sitter {
+    /// The scene that `toml` describes; `name` is what messages call it.
+    pub(crate) fn new(
+        engine: &Engine,
+        name: &str,
+        toml: &str,
+        assets: Box<dyn Assets>,
+    ) -> anyhow::Result<Self> {
+        let mut player = engine.play(scene::load(name, toml)?, assets).with_context(|| name.to_owned())?;
+        engine.seek(&mut player, 0)?;
+        let shot = Shot::of(player.scene());
+        Ok(Self { player, shot })
+    }
 }
 
 fn draw(engine: &mut Engine, case: &Sitter, target: &wgpu::TextureView) -> anyhow::Result<Duration> {

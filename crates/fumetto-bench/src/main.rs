@@ -13,6 +13,7 @@ mod measure;
 mod number;
 mod report;
 mod scene;
+mod shadows;
 mod step;
 mod subsystem;
 
@@ -26,7 +27,7 @@ use report::{Report, Row, Table};
 use subsystem::Subsystem;
 
 /// Everything that is measured, in the order of the report.
-const SUBSYSTEMS: [&Subsystem; 3] = [&step::STEP, &draw::DRAW, &edges::EDGES];
+const SUBSYSTEMS: [&Subsystem; 4] = [&step::STEP, &draw::DRAW, &edges::EDGES, &shadows::SHADOWS];
 
 fn main() -> anyhow::Result<()> {
     let args = Args::parse();

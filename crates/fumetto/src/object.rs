@@ -37,6 +37,7 @@ const IN_CEL: u32 = 4;
 const ANGLE_INK: u32 = 8;
 const IMAGE_INK: u32 = 16;
 const HYBRID_INK: u32 = 32;
+const SHOWS_SHADOWS: u32 = 64;
 
 impl ObjectStyle {
     /// The style of `object`, the scene's `index`-th, in a picture `height_px` samples high.
@@ -72,7 +73,8 @@ impl ObjectStyle {
                 HAS_INK,
             ) | flag(style.ink.on, method)
                 | flag(style.shadow.on && object.visible, THROWS_SHADOW)
-                | flag(in_cel, IN_CEL),
+                | flag(in_cel, IN_CEL)
+                | flag(style.shadow.receive, SHOWS_SHADOWS),
             form_scale: style.form_scale,
             material: style.material,
             ink_facing: style.ink.facing,

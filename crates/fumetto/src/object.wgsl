@@ -17,7 +17,7 @@ struct ObjectStyle {
     shadow_start: f32,
     shadow_size: f32,
     // Bit 0: has ink billboards. Bit 1: throws shadows. Bit 2: is drawn in this cel. Bits 3 to 5: how else
-    // its lines are found.
+    // its lines are found. Bit 6: shows shadows.
     flags: u32,
     form_scale: f32,
     // Share of a mesh's own colours.
@@ -35,6 +35,7 @@ const IN_CEL: u32 = 4u;
 const ANGLE_INK: u32 = 8u;
 const IMAGE_INK: u32 = 16u;
 const HYBRID_INK: u32 = 32u;
+const SHOWS_SHADOWS: u32 = 64u;
 
 // Objects that there is room for.
 const MAX_OBJECTS: u32 = 64u;

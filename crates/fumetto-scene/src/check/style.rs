@@ -132,6 +132,7 @@ pub(super) fn put<T>(slot: &mut T, value: Option<T>) {
 
 fn shadow(file: &ShadowFile, shadow: &mut Shadow) {
     put(&mut shadow.on, file.on);
+    put(&mut shadow.receive, file.receive);
     put(&mut shadow.reach, file.reach);
     put(&mut shadow.start, file.start);
     put(&mut shadow.size, file.size);

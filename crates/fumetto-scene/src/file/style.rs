@@ -82,8 +82,10 @@ pub enum ShadingFile {
 #[derive(Clone, Debug, Default, Deserialize, JsonSchema, PartialEq, Serialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct ShadowFile {
-    /// Whether the object throws any.
+    /// Whether the object throws any; the other keys but `receive` are for puffs alone.
     pub on: Option<bool>,
+    /// Whether the object shows those that fall on it.
+    pub receive: Option<bool>,
     /// Length of a puff's shadow in its radii.
     #[schemars(transform = &limits::FACTOR)]
     pub reach: Option<f32>,

@@ -65,6 +65,8 @@ pub enum Shading {
 pub struct Shadow {
     /// Whether the object throws any.
     pub on: bool,
+    /// Whether the object shows those that fall on it.
+    pub receive: bool,
     /// Length of a puff's shadow in its radii.
     pub reach: f32,
     /// How far behind a puff its shadow begins, in its own height there: 1 is its far side.
@@ -98,6 +100,6 @@ impl Default for Style {
 
 impl Default for Shadow {
     fn default() -> Self {
-        Self { on: true, reach: 8.0, start: 0.5, size: 0.8 }
+        Self { on: true, receive: true, reach: 8.0, start: 0.5, size: 0.8 }
     }
 }

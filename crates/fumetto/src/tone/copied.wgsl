@@ -27,6 +27,7 @@ fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let tile = vec2u(puff_variant(puff), object * ROTATIONS + rotation % ROTATIONS);
     var colour = textureLoad(sprites, vec2i((vec2f(tile) + inside) * SPRITE_PX), 0).rgb;
     let shadow = textureSampleLevel(shadows, linear, position.xy / view.size_px, 0.0);
-    colour = select(colour, ramp_colour(ramps, 0.0, styles[object].ramp_row), any(shadow >= vec4f(0.5)));
+    let kept = (styles[object].flags & SHOWS_SHADOWS) != 0u && any(shadow >= vec4f(0.5));
+    colour = select(colour, ramp_colour(ramps, 0.0, styles[object].ramp_row), kept);
     return vec4f(colour, select(styles[object].opacity * puff_fade(puff).y, 1.0, IS_PICTURE));
 }

@@ -167,11 +167,12 @@ fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let place = (view.world_from_view * vec4f(ray_of(position.xy) * distance, 1.0)).xyz;
     let at = Sight(position.xy, distance, place, normalize(view.world_from_view[3].xyz - place));
     let shadow = textureSampleLevel(shadows, linear, position.xy / view.size_px, 0.0);
+    let shows_shadows = (styles[seen.object].flags & SHOWS_SHADOWS) != 0u;
     var amount = 0.0;
     var shine = 0.0;
     for (var i = 0u; i < lights.count; i++) {
         let light = lights.light[i];
-        let kept = light.channel >= 0 && shadow[max(light.channel, 0)] >= 0.5;
+        let kept = shows_shadows && light.channel >= 0 && shadow[max(light.channel, 0)] >= 0.5;
         let toward_light = toward(light, place);
         amount += select(amount_of(i, seen, at, toward_light), 0.0, kept);
         if HAS_HIGHLIGHT {

@@ -9,6 +9,7 @@ mod errors;
 mod ink;
 mod ink_methods;
 mod light;
+mod mesh_shadows;
 mod meshes;
 mod models;
 mod occlusion;

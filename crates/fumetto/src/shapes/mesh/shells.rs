@@ -193,3 +193,81 @@ impl Sets {
         self.0[a.max(b)] = a.min(b);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "a test that cannot set up should stop")]
+
+    use super::*;
+    use crate::gpu::layout_test;
+    use fumetto_formats::{ModelOptions, read_model};
+    use fumetto_scene::{Mesh, Transform};
+
+    layout_test!(edges_lie_as_their_twin: Edge, "Edge" of "light/extrude" { ends, sides });
+
+    const TETRAHEDRON: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+
+    fn shells(obj: &str, copies: Vec<Transform>) -> Shells {
+        let model = read_model("a.obj", obj.as_bytes(), ModelOptions::default(), &mut |_| {
+            Err(std::io::ErrorKind::NotFound.into())
+        });
+        let mesh = Mesh { model: "a.obj".into(), z_up: false, smooth_deg: None, copies };
+        let mut geometry = Geometry::default();
+        geometry.add(&mesh, &model.unwrap());
+        Shells::new(&geometry, |_| true)
+    }
+
+    fn one(obj: &str) -> Shells {
+        shells(obj, vec![Transform::default()])
+    }
+
+    fn is_paired(edge: &Edge) -> bool {
+        edge.sides[1] != NO_SIDE && edge.sides[1] & SAME_WAY == 0
+    }
+
+    #[test]
+    fn a_closed_surface_casts_with_what_looks_away_from_the_light() {
+        let shells = one(TETRAHEDRON);
+        assert_eq!(shells.edges.len(), 6);
+        assert!(shells.edges.iter().all(is_paired), "creases join, though their normals differ");
+        assert_eq!(shells.casting, [UNLIT_CASTS; 4]);
+    }
+
+    #[test]
+    fn inside_out_it_casts_with_the_others() {
+        let turned =
+            TETRAHEDRON.replace("f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4", "f 1 2 3\nf 1 4 2\nf 1 3 4\nf 2 4 3");
+        assert_eq!(one(&turned).casting, [LIT_CASTS; 4]);
+    }
+
+    #[test]
+    fn a_mirror_turns_nothing_inside_out() {
+        let mirrored = Transform { scale: [-1.0, 1.0, 1.0], ..Transform::default() };
+        let shells = shells(TETRAHEDRON, vec![mirrored, Transform::default()]);
+        assert_eq!(shells.casting, [UNLIT_CASTS; 8]);
+        assert_eq!(shells.edges.len(), 12, "copies that touch stay apart");
+    }
+
+    #[test]
+    fn materials_do_not_end_a_surface() {
+        let parts = TETRAHEDRON.replace("f 1 4 3", "usemtl other\nf 1 4 3");
+        assert_eq!(one(&parts).casting, [UNLIT_CASTS; 4]);
+    }
+
+    #[test]
+    fn an_open_surface_casts_with_both() {
+        let open = TETRAHEDRON.replace("f 2 3 4\n", "");
+        let shells = one(&open);
+        assert_eq!(shells.casting, [LIT_CASTS | UNLIT_CASTS; 3]);
+        assert_eq!(shells.edges.iter().filter(|edge| edge.sides[1] == NO_SIDE).count(), 3);
+    }
+
+    #[test]
+    fn an_edge_of_three_triangles_counts_each() {
+        let shells = one("v 0 0 0\nv 0 1 0\nv 1 0 0\nv 0 0 1\nv -1 0 0\nf 1 2 3\nf 1 2 4\nf 2 1 5\n");
+        let hub: Vec<_> = shells.edges.iter().filter(|edge| edge.ends[0].max(edge.ends[1]) == 1).collect();
+        assert_eq!(hub.len(), 2, "{hub:?}");
+        assert_eq!(hub.iter().filter(|edge| is_paired(edge)).count(), 1);
+        assert_eq!(shells.casting, [LIT_CASTS | UNLIT_CASTS; 3]);
+    }
+}
