@@ -24,6 +24,10 @@
 // shading is smooth: that between the facets of a ball of 18 segments.
 const TERMINATOR: f32 = 0.34;
 
+// Sine of the angle up to which light only grazes a facet, which then keeps none away: the sides of its volume
+// would lie in its own plane, or in that of the triangle next to it.
+const EDGE_ON: f32 = 1e-3;
+
 @compute @workgroup_size(256)
 fn list_caps(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: vec3u, @builtin(local_invocation_index) lane: u32) {
     let number = (group.y * groups.x + group.x) * 256u + lane;
@@ -37,8 +41,9 @@ fn list_caps(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) group
     let toward = light.vector - a * light.is_point;
     let lit = dot(normal, toward);
     let seen = dot(normal, view.world_from_view[3].xyz - a);
-    let lit_casts = lit > 0.0 && (casting[number] & LIT_CASTS) != 0u;
-    let unlit_casts = lit < 0.0 && (casting[number] & UNLIT_CASTS) != 0u;
+    let full = length(normal) * length(toward);
+    let lit_casts = lit > EDGE_ON * full && (casting[number] & LIT_CASTS) != 0u;
+    let unlit_casts = lit < -EDGE_ON * full && (casting[number] & UNLIT_CASTS) != 0u;
     let is_lit_seen = (lit > 0.0) == (seen > 0.0);
     var facing = select(select(0u, BACKWARD, unlit_casts), FORWARD, lit_casts);
     if facing != 0u {
@@ -50,7 +55,7 @@ fn list_caps(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) group
     }
     // Of closed surfaces only one side casts, and no facet shadows another at the terminator.
     let is_open = (casting[number] & (LIT_CASTS | UNLIT_CASTS)) == (LIT_CASTS | UNLIT_CASTS);
-    let is_grazed = abs(lit) < TERMINATOR * length(normal) * length(toward);
+    let is_grazed = abs(lit) < TERMINATOR * full;
     facings[number] = facing | select(0u, AT_TERMINATOR, is_open && is_grazed && !is_lit_seen);
 }
 

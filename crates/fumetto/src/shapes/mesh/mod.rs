@@ -4,6 +4,7 @@ mod body;
 mod edge_scene;
 mod edges;
 mod geometry;
+mod near;
 mod pieces;
 mod place;
 mod push;

@@ -4,8 +4,13 @@
 //! whatever their normals: a crease is no end of a surface.
 
 use bytemuck::{Pod, Zeroable};
+use glam::Vec3;
 
-use super::geometry::{Geometry, Triangle};
+use super::{
+    geometry::{Geometry, Triangle},
+    near::{Near, Sets},
+    weld::weld_within,
+};
 
 /// `Edge` of `shells.wgsl`.
 #[repr(C)]
@@ -49,11 +54,12 @@ impl Shells {
     /// The shells of the objects that `casts` names by their numbers.
     pub(crate) fn new(geometry: &Geometry, casts: impl Fn(u32) -> bool) -> Self {
         let mut shells = Self { edges: Vec::new(), casting: vec![0; geometry.triangles.len()] };
+        let welded = weld_within(&geometry.sources, &geometry.groups);
         let group = |triangle: &Triangle| geometry.groups[triangle.part as usize];
         let mut first = 0;
         for triangles in geometry.triangles.chunk_by(|a, b| group(a) == group(b)) {
             if casts(geometry.parts[triangles[0].part as usize].object) {
-                shells.add(geometry, first, triangles);
+                shells.add(geometry, &welded, first, triangles);
             }
             first += triangles.len();
         }
@@ -61,30 +67,26 @@ impl Shells {
     }
 
     /// Adds triangles that move together; `first` is the number of the first.
-    fn add(&mut self, geometry: &Geometry, first: usize, triangles: &[Triangle]) {
-        let vertices = Welded::new(geometry, triangles);
-        let halves = half_edges(&vertices, first as u32, triangles);
+    fn add(&mut self, geometry: &Geometry, welded: &[usize], first: usize, triangles: &[Triangle]) {
         let mut surfaces = Sets::new(triangles.len());
-        let mut ends = Vec::new();
-        for around in halves.chunk_by(|a, b| a.ends == b.ends) {
-            for pair in around.windows(2) {
-                surfaces.join(pair[0].triangle as usize - first, pair[1].triangle as usize - first);
-            }
-            if self.add_edge(around) {
-                ends.push(around[0].triangle as usize - first);
-            }
+        let mut rims = Vec::new();
+        for around in half_edges(welded, first as u32, triangles).chunk_by(|a, b| a.ends == b.ends) {
+            surfaces.join_all(around.iter().map(|half| half.triangle as usize - first));
+            self.add_edge(around, &mut rims);
         }
         let mut is_open = vec![false; triangles.len()];
-        for triangle in ends {
-            is_open[surfaces.find(triangle)] = true;
+        for triangle in ends(geometry, &rims, first, &mut surfaces) {
+            is_open[triangle] = true;
         }
-        let mut volumes = vec![0.0; triangles.len()];
+        let (mut open, mut volumes) = (vec![false; triangles.len()], vec![0.0; triangles.len()]);
         for (number, triangle) in triangles.iter().enumerate() {
-            volumes[surfaces.find(number)] += vertices.volume(geometry, triangle);
+            let surface = surfaces.find(number);
+            open[surface] |= is_open[number];
+            volumes[surface] += volume(geometry, triangles[surface].corners[0], triangle);
         }
         for number in 0..triangles.len() {
             let surface = surfaces.find(number);
-            self.casting[first + number] = match (is_open[surface], volumes[surface] < 0.0) {
+            self.casting[first + number] = match (open[surface], volumes[surface] < 0.0) {
                 (true, _) => LIT_CASTS | UNLIT_CASTS,
                 // What looks away from the light bounds the same shadow, and starts it where the shading is
                 // dark by itself: no facet throws a shadow on its neighbours at the border of light.
@@ -94,10 +96,9 @@ impl Shells {
         }
     }
 
-    /// Adds what lies `around` one edge, two triangles at a time; answers whether the surface ends there.
-    ///
-    /// It ends where not as many triangles run along the edge to one side as to the other.
-    fn add_edge(&mut self, around: &[HalfEdge]) -> bool {
+    /// Adds what lies `around` one edge, two triangles at a time. What runs along it one way without another
+    /// that runs the other way is a rim.
+    fn add_edge(&mut self, around: &[HalfEdge], rims: &mut Vec<HalfEdge>) {
         let (forward, backward) = around.split_at(around.partition_point(|half| !half.backward));
         let paired = forward.len().min(backward.len());
         let [low, high] = around[0].ends;
@@ -105,93 +106,67 @@ impl Shells {
             self.edges.push(Edge { ends: [low, high], sides: [forward.triangle, backward.triangle] });
         }
         for (rest, ends) in [(&forward[paired..], [low, high]), (&backward[paired..], [high, low])] {
+            rims.extend(rest);
             for two in rest.chunks(2) {
                 let second = two.get(1).map_or(NO_SIDE, |half| half.triangle | SAME_WAY);
                 self.edges.push(Edge { ends, sides: [two[0].triangle, second] });
             }
         }
-        forward.len() != backward.len()
+    }
+}
+
+impl HalfEdge {
+    fn new([from, to]: [u32; 2], triangle: u32) -> Self {
+        Self { ends: [from.min(to), from.max(to)], backward: from > to, triangle }
     }
 }
 
 /// All edges of triangles, those between the same two places together, forward ones first.
-fn half_edges(vertices: &Welded, first: u32, triangles: &[Triangle]) -> Vec<HalfEdge> {
+fn half_edges(welded: &[usize], first: u32, triangles: &[Triangle]) -> Vec<HalfEdge> {
     let numbered = (first..).zip(triangles);
     let mut halves: Vec<_> = numbered
         .flat_map(|(number, triangle)| {
-            let [a, b, c] = triangle.corners.map(|corner| vertices.at(corner));
-            [[a, b], [b, c], [c, a]].map(|[from, to]| HalfEdge {
-                ends: [from.min(to), from.max(to)],
-                backward: from > to,
-                triangle: number,
-            })
+            let [a, b, c] = triangle.corners.map(|corner| welded[corner as usize] as u32);
+            [[a, b], [b, c], [c, a]].map(|ends| HalfEdge::new(ends, number))
         })
         .collect();
     halves.sort_unstable();
     halves
 }
 
-/// Vertices of triangles that move together, those at the same place taken for one.
-struct Welded {
-    first: u32,
-    /// The lowest number of those at the same place.
-    lowest: Vec<u32>,
+/// The triangles at which surfaces end, counted from `first`. Where `rims` match up to rounding, surfaces do
+/// not end, and are joined.
+fn ends(geometry: &Geometry, rims: &[HalfEdge], first: usize, surfaces: &mut Sets) -> Vec<usize> {
+    let places = rims.iter().flat_map(|half| half.ends);
+    let mut near =
+        Near::new(places.map(|vertex| (vertex, geometry.sources[vertex as usize].position.into())));
+    let mut halves: Vec<_> = rims
+        .iter()
+        .map(|half| {
+            let [a, b] = half.ends.map(|vertex| near.of(vertex));
+            HalfEdge::new(if half.backward { [b, a] } else { [a, b] }, half.triangle)
+        })
+        .filter(|half| half.ends[0] != half.ends[1])
+        .collect();
+    halves.sort_unstable();
+    let mut found = Vec::new();
+    for around in halves.chunk_by(|a, b| a.ends == b.ends) {
+        let triangles = || around.iter().map(|half| half.triangle as usize - first);
+        surfaces.join_all(triangles());
+        if 2 * around.partition_point(|half| !half.backward) != around.len() {
+            found.extend(triangles());
+        }
+    }
+    found
 }
 
-impl Welded {
-    fn new(geometry: &Geometry, triangles: &[Triangle]) -> Self {
-        let corners = || triangles.iter().flat_map(|triangle| triangle.corners);
-        let first = corners().min().unwrap_or(0);
-        let end = corners().max().map_or(first, |last| last + 1);
-        // Zeros of both signs are the same place.
-        let place = |vertex: u32| geometry.sources[vertex as usize].position.map(|at| (at + 0.0).to_bits());
-        let mut order: Vec<_> = (first..end).map(|vertex| (place(vertex), vertex)).collect();
-        order.sort_unstable();
-        let mut lowest = vec![0; order.len()];
-        for same in order.chunk_by(|a, b| a.0 == b.0) {
-            for &(_, vertex) in same {
-                lowest[(vertex - first) as usize] = same[0].1;
-            }
-        }
-        Self { first, lowest }
-    }
-
-    fn at(&self, vertex: u32) -> u32 {
-        self.lowest[(vertex - self.first) as usize]
-    }
-
-    /// Six times the signed volume between a triangle and the first vertex; those of a closed surface sum up
-    /// to more than zero where its fronts look outward.
-    fn volume(&self, geometry: &Geometry, triangle: &Triangle) -> f64 {
-        let place = |vertex: u32| glam::Vec3::from(geometry.sources[vertex as usize].position).as_dvec3();
-        let origin = place(self.first);
-        let [a, b, c] = triangle.corners.map(|corner| place(corner) - origin);
-        let mirrored = geometry.parts[triangle.part as usize].world_from_part.determinant() < 0.0;
-        a.dot(b.cross(c)) * if mirrored { -1.0 } else { 1.0 }
-    }
-}
-
-/// Disjoint sets of numbers.
-struct Sets(Vec<usize>);
-
-impl Sets {
-    fn new(count: usize) -> Self {
-        Self((0..count).collect())
-    }
-
-    /// The number that stands for a set; halves the way to it for the next time.
-    fn find(&mut self, mut number: usize) -> usize {
-        while self.0[number] != number {
-            self.0[number] = self.0[self.0[number]];
-            number = self.0[number];
-        }
-        number
-    }
-
-    fn join(&mut self, a: usize, b: usize) {
-        let (a, b) = (self.find(a), self.find(b));
-        self.0[a.max(b)] = a.min(b);
-    }
+/// Six times the signed volume between a triangle and the vertex `origin`; those of a closed surface sum up
+/// to more than zero where its fronts look outward.
+fn volume(geometry: &Geometry, origin: u32, triangle: &Triangle) -> f64 {
+    let place = |vertex: u32| Vec3::from(geometry.sources[vertex as usize].position).as_dvec3();
+    let [a, b, c] = triangle.corners.map(|corner| place(corner) - place(origin));
+    let mirrored = geometry.parts[triangle.part as usize].world_from_part.determinant() < 0.0;
+    a.dot(b.cross(c)) * if mirrored { -1.0 } else { 1.0 }
 }
 
 #[cfg(test)]
@@ -252,6 +227,15 @@ mod tests {
     fn materials_do_not_end_a_surface() {
         let parts = TETRAHEDRON.replace("f 1 4 3", "usemtl other\nf 1 4 3");
         assert_eq!(one(&parts).casting, [UNLIT_CASTS; 4]);
+    }
+
+    #[test]
+    fn rounding_does_not_end_a_surface() {
+        let split =
+            TETRAHEDRON.replace("f 2 3 4", "v 0.9999999 0 0.0000001\nv 0.0000001 1 -0.0000001\nf 5 6 4");
+        let shells = one(&split);
+        assert_eq!(shells.casting, [UNLIT_CASTS; 4]);
+        assert_eq!(shells.edges.iter().filter(|edge| !is_paired(edge)).count(), 6, "volumes go by the bits");
     }
 
     #[test]
