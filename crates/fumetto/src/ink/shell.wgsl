@@ -43,7 +43,11 @@ fn vertex(@builtin(vertex_index) index: u32) -> Corner {
     let sideways = unit((world * vec4f(octahedral_unpacked(push.sideways), 0.0)).xyz);
     let distance = max(clip_from_world(place).w, view.near);
     let width = max(pen.width_px * distance / view.focal_px, pen.width_m) * thinned(styles[part.object], outward, place);
-    let way = sideways * push.sideways_length + select(vec3f(0.0), outward * push.outward_length, is_far_side);
+    // Where the surface ends, going outward must not take back in the picture what going sideways gives.
+    let ray = place - view.world_from_view[3].xyz;
+    let against = push.sideways_length > 0.0 && dot(outward, ray) * dot(sideways, ray) > 0.0;
+    let outward_length = select(0.0, push.outward_length, is_far_side && !against);
+    let way = sideways * push.sideways_length + outward * outward_length;
     var position = clip_from_world(place + way * width);
     let depth = max(position.w, view.near);
     position.z *= depth / (depth + BIAS * width);
