@@ -1,0 +1,108 @@
+use std::ops::Range;
+
+use super::capacity::Capacity;
+
+/// What is made of an object's puffs.
+#[derive(Clone, Debug)]
+pub(crate) struct Recipe {
+    /// The object's puffs in the list of all.
+    pub(crate) puffs: Range<u32>,
+    /// *T* of Álvarez's equation 3.
+    pub(crate) threshold: f32,
+    /// Multiplies all radii; an inner layer of detail has less than 1 (section 5).
+    pub(crate) radius_scale: f32,
+    /// Multiplies all masses.
+    pub(crate) mass_scale: f32,
+    pub(crate) spacing: Spacing,
+    pub(crate) noise: Option<FieldNoise>,
+    /// Number that every triangle carries.
+    pub(crate) part: u32,
+}
+
+/// How finely the field is sampled.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Spacing {
+    /// The side of a cell, in metres.
+    Cell(f32),
+    /// Cells along the longest side of what there is at the moment. Cells come in steps of a quarter of an
+    /// octave, rounded up, so that they seldom change while smoke grows.
+    Subdivisions(f32),
+}
+
+/// Noise that is added to the field, fixed in the world.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct FieldNoise {
+    /// The most that it adds, in thresholds.
+    pub(crate) amplitude: f32,
+    /// Of the first octave: lattice points a metre.
+    pub(crate) per_m: f32,
+    pub(crate) octaves: u32,
+    pub(crate) seed: u32,
+}
+
+/// Octaves beyond this are smaller than a rounding error.
+const MOST_OCTAVES: u32 = 16;
+/// Numbers that divide, and may not be zero.
+const LEAST: f32 = 1e-6;
+
+#[repr(C)]
+#[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
+pub(super) struct RecipeUniform {
+    first: u32,
+    count: u32,
+    radius_scale: f32,
+    mass_scale: f32,
+    threshold: f32,
+    cell_m: f32,
+    subdivisions: f32,
+    part: u32,
+    noise_amplitude: f32,
+    noise_per_m: f32,
+    noise_octaves: u32,
+    noise_seed: u32,
+    blocks: u32,
+    entries: u32,
+    active_blocks: u32,
+    vertices: u32,
+    triangles: u32,
+    pad: [u32; 3],
+}
+
+impl Recipe {
+    pub(super) fn uniform(&self, room: Capacity) -> RecipeUniform {
+        let (cell_m, subdivisions) = match self.spacing {
+            Spacing::Cell(cell_m) => (cell_m.max(LEAST), 1.0),
+            Spacing::Subdivisions(subdivisions) => (0.0, subdivisions.max(1.0)),
+        };
+        let quiet = FieldNoise { amplitude: 0.0, per_m: 0.0, octaves: 0, seed: 0 };
+        let noise = self.noise.unwrap_or(quiet);
+        RecipeUniform {
+            first: self.puffs.start,
+            count: (self.puffs.len() as u32).min(room.particles),
+            radius_scale: self.radius_scale,
+            mass_scale: self.mass_scale,
+            threshold: self.threshold.max(LEAST),
+            cell_m,
+            subdivisions,
+            part: self.part,
+            noise_amplitude: noise.amplitude.max(0.0),
+            noise_per_m: noise.per_m,
+            noise_octaves: noise.octaves.min(MOST_OCTAVES),
+            noise_seed: noise.seed,
+            blocks: room.blocks,
+            entries: room.entries,
+            active_blocks: room.active,
+            vertices: room.vertices,
+            triangles: room.triangles,
+            pad: [0; 3],
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gpu::layout_test;
+
+    layout_test!(lies_as_its_twin: RecipeUniform, "Recipe" of "shapes/surface/bounds" { first, count, radius_scale, mass_scale, threshold, cell_m, subdivisions, part, noise_amplitude, noise_per_m, noise_octaves, noise_seed, blocks, entries, active_blocks, vertices, triangles });
+}

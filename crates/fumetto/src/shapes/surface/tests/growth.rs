@@ -1,0 +1,62 @@
+//! Milliseconds against size.
+
+use std::time::Instant;
+
+use fumetto_scene::Particle;
+
+use super::{BENCH, Capacity, Frame, PoisonError, ROOM, SurfaceMesh, Workspace, particle, puffs, read, recipe};
+
+const RUNS: u32 = 5;
+
+/// A cube of particles whose matter keeps its volume: more of them are smaller.
+fn cloud(count: u32) -> Vec<Particle> {
+    let side = (count as f32).cbrt();
+    let hash = |key: u32| (key.wrapping_mul(0x9e37_79b9) >> 8) as f32 / (1 << 24) as f32;
+    (0..count)
+        .map(|index| {
+            let place = [0, 1, 2].map(|axis| 4.0 * hash(index * 3 + axis + 1));
+            particle(place, 4.0 / side, 2.0)
+        })
+        .collect()
+}
+
+fn measure(cloud: &[Particle], cell_m: f32) {
+    let bench = BENCH.lock().unwrap_or_else(PoisonError::into_inner);
+    let radius_cells = cloud[0].radius / cell_m;
+    let cells = ((4.0 + 2.0 * cloud[0].radius) / cell_m) as u32;
+    let needed = Capacity::of(cloud.len() as u32, radius_cells, cells);
+    let room = Capacity { vertices: ROOM.vertices, triangles: ROOM.triangles, ..needed };
+    let work = Workspace::new(&bench.gpu, room).expect("there is room");
+    let mesh = SurfaceMesh::new(&bench.gpu, room).expect("there is room");
+    let puffs = puffs(&bench.gpu, cloud);
+    let recipe = recipe(cloud.len(), 0.5, cell_m);
+    let mut best = f64::INFINITY;
+    for _ in 0..RUNS {
+        let start = Instant::now();
+        let mut frame = Frame::new(&bench.gpu, &bench.pool, "growth");
+        bench.surface.record(&mut frame, &puffs, &recipe, &work, &mesh);
+        frame.submit();
+        bench.gpu.wait().expect("the device lives");
+        best = best.min(start.elapsed().as_secs_f64() * 1e3);
+    }
+    let read = read(&bench.gpu, &mesh);
+    println!(
+        "{:7} particles, {cells:3} cells: {best:8.2} ms, {:7} triangles, {:5.1} MB, overflow {}",
+        cloud.len(),
+        read.triangles.len(),
+        needed.bytes() as f64 / 1e6,
+        read.overflow
+    );
+}
+
+#[test]
+#[ignore = "measures; run it alone, in a release build, with --nocapture"]
+fn growth() {
+    for count in [24, 1_000, 10_000, 100_000] {
+        measure(&cloud(count), 0.1);
+    }
+    for cells in [22.0, 64.0, 128.0] {
+        let cloud = cloud(24);
+        measure(&cloud, (4.0 + 2.0 * cloud[0].radius) / cells);
+    }
+}

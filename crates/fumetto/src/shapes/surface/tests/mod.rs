@@ -1,0 +1,128 @@
+//! The surface against closed forms, on whatever adapter there is.
+
+mod growth;
+mod limits;
+mod merging;
+mod normals;
+mod random;
+mod repeat;
+mod shape;
+mod sphere;
+
+use std::sync::{LazyLock, Mutex, PoisonError};
+
+use fumetto_scene::Particle;
+use glam::{Vec2, Vec3};
+use wgpu::util::DeviceExt as _;
+
+use super::{Capacity, FieldNoise, Recipe, Spacing, Surface, SurfaceMesh, Workspace};
+use crate::{
+    Gpu,
+    gpu::{Frame, TexturePool, read_buffer},
+    shapes::puffs::{Placement, still_puffs},
+};
+
+/// Building all pipelines takes longer than most tests do: they share them.
+static BENCH: LazyLock<Mutex<Bench>> = LazyLock::new(|| {
+    let gpu = pollster::block_on(Gpu::headless()).expect("a Vulkan driver");
+    let surface = Surface::new(&gpu);
+    Mutex::new(Bench { gpu, surface, pool: TexturePool::default() })
+});
+
+struct Bench {
+    gpu: Gpu,
+    surface: Surface,
+    pool: TexturePool,
+}
+
+/// A mesh that was read back.
+#[derive(Clone, Debug, PartialEq)]
+struct Mesh {
+    places: Vec<Vec3>,
+    normals: Vec<Vec3>,
+    triangles: Vec<[u32; 3]>,
+    parts: Vec<u32>,
+    overflow: u32,
+    draw: [u32; 4],
+}
+
+fn particle(center: impl Into<Vec3>, radius: f32, mass: f32) -> Particle {
+    Particle { center: center.into().to_array(), radius, mass }
+}
+
+fn recipe(count: usize, threshold: f32, cell_m: f32) -> Recipe {
+    Recipe {
+        puffs: 0..count as u32,
+        threshold,
+        radius_scale: 1.0,
+        mass_scale: 1.0,
+        spacing: Spacing::Cell(cell_m),
+        noise: None,
+        part: 7,
+    }
+}
+
+/// Room for whatever these tests make.
+const ROOM: Capacity = Capacity {
+    particles: 4096,
+    blocks: 1 << 16,
+    entries: 1 << 20,
+    active: 1 << 14,
+    vertices: 1 << 19,
+    triangles: 1 << 20,
+};
+
+/// The surface of `particles`.
+fn surface(particles: &[Particle], threshold: f32, cell_m: f32) -> Mesh {
+    extract(particles, &recipe(particles.len(), threshold, cell_m), ROOM)
+}
+
+fn extract(particles: &[Particle], recipe: &Recipe, room: Capacity) -> Mesh {
+    let bench = BENCH.lock().unwrap_or_else(PoisonError::into_inner);
+    let work = Workspace::new(&bench.gpu, room).expect("the room is modest");
+    let mesh = SurfaceMesh::new(&bench.gpu, room).expect("the room is modest");
+    let puffs = puffs(&bench.gpu, particles);
+    let mut frame = Frame::new(&bench.gpu, &bench.pool, "test");
+    bench.surface.record(&mut frame, &puffs, recipe, &work, &mesh);
+    frame.submit();
+    read(&bench.gpu, &mesh)
+}
+
+fn puffs(gpu: &Gpu, particles: &[Particle]) -> wgpu::Buffer {
+    let placement = Placement { first: 0, object: 0, first_variant: 0, variants: 1, size: 1.0, seed: 0 };
+    let mut puffs = still_puffs(particles, placement);
+    if puffs.is_empty() {
+        puffs = still_puffs(&[particle(Vec3::ZERO, 0.0, 0.0)], placement);
+    }
+    gpu.device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
+        label: Some("test.puffs"),
+        contents: bytemuck::cast_slice(&puffs),
+        usage: wgpu::BufferUsages::STORAGE,
+    })
+}
+
+fn read(gpu: &Gpu, mesh: &SurfaceMesh) -> Mesh {
+    let counters: Vec<u32> = read_buffer(gpu, &mesh.counters).expect("the device lives");
+    let mut places: Vec<[f32; 4]> = read_buffer(gpu, &mesh.places).expect("the device lives");
+    let mut triangles: Vec<[u32; 4]> = read_buffer(gpu, &mesh.triangles).expect("the device lives");
+    places.truncate(counters[4] as usize);
+    triangles.truncate(counters[5] as usize);
+    Mesh {
+        places: places.iter().map(|&[x, y, z, _]| Vec3::new(x, y, z)).collect(),
+        normals: places.iter().map(|&[.., packed]| unpack(packed.to_bits())).collect(),
+        triangles: triangles.iter().map(|&[a, b, c, _]| [a, b, c]).collect(),
+        parts: triangles.iter().map(|&[.., part]| part).collect(),
+        overflow: counters[6],
+        draw: [counters[0], counters[1], counters[2], counters[3]],
+    }
+}
+
+/// As `octahedral_decode` of `octahedral.wgsl`.
+fn unpack(packed: u32) -> Vec3 {
+    let snorm = |bits: u32| (f32::from(bits as u16 as i16) / 32767.0).max(-1.0);
+    let at = Vec2::new(snorm(packed), snorm(packed >> 16));
+    let z = 1.0 - at.x.abs() - at.y.abs();
+    let fold = (-z).max(0.0);
+    let unfolded = at - Vec2::new(fold.copysign(at.x), fold.copysign(at.y));
+    unfolded.extend(z).normalize_or_zero()
+}
