@@ -11,11 +11,13 @@
 // Place and packed normal; as integers, for not every driver keeps a float's bits.
 @group(0) @binding(8) var<storage, read_write> places: array<vec4u>;
 
-// Newton converges in three or four steps; where it has to halve, this leaves 1/256 of a cell.
-const STEPS: u32 = 8u;
+// Newton converges in three or four steps; where it can only halve, so many leave 1/1024 of a cell.
+const STEPS: u32 = 10u;
+// A step of so little of a cell is the last: the next one's error is its square.
+const CONVERGED: f32 = 1e-3;
 // A vertex keeps so much of an edge from its ends: vertices around a lattice point that the surface
 // passes closely would else be the corners of slivers.
-const CLEAR: f32 = 0.2;
+const CLEAR: f32 = 0.3;
 // Gradients below this lead nowhere.
 const FLAT: f32 = 1e-20;
 
@@ -35,13 +37,12 @@ fn crossing(start: vec3f, along: vec3f, inside: bool, list: vec2u) -> f32 {
         var next = 0.5 * (low + high);
         if abs(slope) > FLAT {
             let newton = at - field.w / slope;
+            if abs(newton - at) < CONVERGED {
+                return clamp(newton, 0.0, 1.0);
+            }
             next = select(next, newton, newton > low && newton < high);
         }
-        let moved = abs(next - at);
         at = next;
-        if moved < 1e-4 {
-            break;
-        }
     }
     return at;
 }
@@ -64,7 +65,7 @@ struct Vertex {
 fn slid(start: vec3f, along: vec3f, at: f32, list: vec2u) -> Vertex {
     let most = CLEAR * lattice.cell_m;
     var place = start + clamp(at, CLEAR, 1.0 - CLEAR) * along;
-    for (var step = 0u; step < 2u; step++) {
+    for (var step = 0u; step < 3u; step++) {
         place += step_to_surface(field_at(place, list), most);
     }
     return Vertex(place, field_at(place, list));
@@ -76,7 +77,7 @@ fn vertex_on(start: vec3f, along: vec3f, inside: bool, list: vec2u) -> Vertex {
         let vertex = slid(start, along, at, list);
         // Not where the surface bends so much that it was missed.
         let missed = length(step_to_surface(vertex.field, lattice.cell_m));
-        if missed < 0.01 * lattice.cell_m && length(vertex.field.xyz) > FLAT {
+        if missed < 0.001 * lattice.cell_m && length(vertex.field.xyz) > FLAT {
             return vertex;
         }
     }
