@@ -11,10 +11,10 @@ const RUNS: u32 = 5;
 /// A cube of particles whose matter keeps its volume: more of them are smaller.
 fn cloud(count: u32) -> Vec<Particle> {
     let side = (count as f32).cbrt();
-    let hash = |key: u32| (key.wrapping_mul(0x9e37_79b9) >> 8) as f32 / (1 << 24) as f32;
     (0..count)
         .map(|index| {
-            let place = [0, 1, 2].map(|axis| 4.0 * hash(index * 3 + axis + 1));
+            // Spread evenly by the powers of the plastic number's cousin (Roberts 2018).
+            let place = [0.819_172_5, 0.671_043_6, 0.549_700_5].map(|k| 4.0 * (k * f64::from(index)).fract() as f32);
             particle(place, 4.0 / side, 2.0)
         })
         .collect()
