@@ -117,7 +117,7 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: ve
                 var along = vec3f(0.0);
                 along[axis] = lattice.cell_m;
                 let vertex = vertex_on(start, along, inside, list);
-                let normal = octahedral_encode(outward(vertex.field, along, inside));
+                let normal = octahedral_packed(outward(vertex.field, along, inside));
                 places[number] = vec4u(bitcast<vec3u>(vertex.place), normal);
             }
             number++;
