@@ -35,13 +35,7 @@ impl Blocks {
     }
 
     /// Lists the active blocks in their own order, and sorts the particles on their lists.
-    pub(super) fn record(
-        &self,
-        frame: &mut Frame<'_>,
-        recipe: &wgpu::Buffer,
-        work: &Workspace,
-        scan: &Scan,
-    ) {
+    pub(super) fn record(&self, frame: &mut Frame<'_>, recipe: &wgpu::Buffer, work: &Workspace, scan: &Scan) {
         let all = workgroups(work.room.blocks);
         let bindings = [
             recipe,
@@ -60,8 +54,8 @@ impl Blocks {
         frame.compute("shapes.surface.enlist", &self.enlist, &bindings, all);
         let bindings = [&work.lattice, &work.dispatch].map(wgpu::Buffer::as_entire_binding);
         frame.compute("shapes.surface.dispatch", &self.dispatch, &bindings, [1, 1, 1]);
-        let bindings = [&work.lattice, &work.starts, &work.active, &work.entries]
-            .map(wgpu::Buffer::as_entire_binding);
+        let bindings =
+            [&work.lattice, &work.starts, &work.active, &work.entries].map(wgpu::Buffer::as_entire_binding);
         frame.compute_indirect("shapes.surface.sort", &self.sort, &bindings, &work.dispatch);
     }
 }

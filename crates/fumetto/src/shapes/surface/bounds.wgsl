@@ -122,6 +122,9 @@ fn fitted(total: Share) -> Lattice {
         cell_m *= STEP;
         overflow = COARSENED;
     }
+    if !fits(total, cell_m) {
+        return Lattice(vec3i(0), 1.0, vec3u(0u), 0u, overflow);
+    }
     let first = first_block(total.low, cell_m);
     let blocks = last_block(total.high, cell_m) - first + 1.0;
     return Lattice(vec3i(first), cell_m, vec3u(blocks), 0u, overflow);

@@ -46,20 +46,19 @@ pub(crate) struct Workspace {
 /// A surface as triangles.
 #[derive(Debug)]
 pub(crate) struct SurfaceMesh {
-    /// A `vec4f` for each vertex: place in the world, and the normal's bits (`octahedral.wgsl`).
-    pub(crate) places: wgpu::Buffer,
-    /// A `vec4u` for each triangle: three vertices and the part.
+    /// `Vertex`s of `mesh.wgsl`.
+    pub(crate) vertices: wgpu::Buffer,
+    /// `Triangle`s of `mesh.wgsl`.
     pub(crate) triangles: wgpu::Buffer,
     /// `Counters` of `counters.wgsl`: begins with the arguments of an indirect draw.
     pub(crate) counters: wgpu::Buffer,
-    pub(super) vertices: u32,
-    pub(super) most_triangles: u32,
+    pub(super) room: Capacity,
 }
 
 fn buffer(gpu: &Gpu, label: &str, size: u64, usage: wgpu::BufferUsages) -> wgpu::Buffer {
     gpu.device.create_buffer(&wgpu::BufferDescriptor {
         label: Some(label),
-        size: size.next_multiple_of(4),
+        size,
         usage: wgpu::BufferUsages::STORAGE | usage,
         mapped_at_creation: false,
     })
@@ -70,8 +69,9 @@ impl Workspace {
     /// When the device has no room for it.
     pub(crate) fn new(gpu: &Gpu, room: Capacity) -> Result<Self, SurfaceTooLarge> {
         room.check(gpu)?;
-        let none = wgpu::BufferUsages::empty();
-        let words = |label, count: u32, each: u64| buffer(gpu, label, u64::from(count) * each * 4, none);
+        let words = |label, count: u32, each: u64| {
+            buffer(gpu, label, u64::from(count) * each * 4, wgpu::BufferUsages::COPY_SRC)
+        };
         let counts = |label| buffer(gpu, label, u64::from(room.active) * 4, wgpu::BufferUsages::COPY_DST);
         Ok(Self {
             room,
@@ -110,11 +110,10 @@ impl SurfaceMesh {
         let read = wgpu::BufferUsages::COPY_SRC;
         let list = |label, count: u32| buffer(gpu, label, u64::from(count) * 16, read);
         Ok(Self {
-            places: list("shapes.surface.places", room.vertices),
+            vertices: list("shapes.surface.vertices", room.vertices),
             triangles: list("shapes.surface.triangles", room.triangles),
             counters: buffer(gpu, "shapes.surface.counters", 32, read | wgpu::BufferUsages::INDIRECT),
-            vertices: room.vertices,
-            most_triangles: room.triangles,
+            room,
         })
     }
 }

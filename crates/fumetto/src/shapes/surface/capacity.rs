@@ -79,7 +79,7 @@ impl Capacity {
     pub(crate) fn check(self, gpu: &Gpu) -> Result<(), SurfaceTooLarge> {
         let limits = gpu.device.limits();
         let allowed = limits.max_storage_buffer_binding_size.min(limits.max_buffer_size);
-        // Of what counts most, one buffer holds all bytes but some: this errs on the safe side.
+        // Each of them is several buffers, one of which is nearly all of it; as one they err on the safe side.
         let too_large = self.parts().into_iter().find(|(_, count, bytes)| count * bytes > allowed);
         too_large.map_or(Ok(()), |(what, count, bytes)| {
             Err(SurfaceTooLarge { what, count, needed: count * bytes, allowed })

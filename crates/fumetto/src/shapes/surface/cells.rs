@@ -21,23 +21,10 @@ impl Cells {
     }
 
     /// Samples the field, sorts cells into cases, and numbers vertices and triangles.
-    pub(super) fn record(
-        &self,
-        frame: &mut Frame<'_>,
-        recipe: &wgpu::Buffer,
-        work: &Workspace,
-        scan: &Scan,
-    ) {
-        let bindings = [
-            recipe,
-            &work.lattice,
-            &work.blobs,
-            &work.starts,
-            &work.entries,
-            &work.active,
-            &work.signs,
-        ]
-        .map(wgpu::Buffer::as_entire_binding);
+    pub(super) fn record(&self, frame: &mut Frame<'_>, recipe: &wgpu::Buffer, work: &Workspace, scan: &Scan) {
+        let bindings =
+            [recipe, &work.lattice, &work.blobs, &work.starts, &work.entries, &work.active, &work.signs]
+                .map(wgpu::Buffer::as_entire_binding);
         frame.compute_indirect("shapes.surface.signs", &self.signs, &bindings, &work.dispatch);
         // Blocks that are not active this time count nothing.
         frame.encoder.clear_buffer(&work.vertex_counts, 0, None);

@@ -38,7 +38,7 @@ impl Meshing {
             &work.active,
             &work.cells,
             &work.vertex_starts,
-            &mesh.places,
+            &mesh.vertices,
         ]
         .map(wgpu::Buffer::as_entire_binding);
         frame.compute_indirect("shapes.surface.vertices", &self.vertices, &bindings, &work.dispatch);

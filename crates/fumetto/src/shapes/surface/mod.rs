@@ -80,7 +80,7 @@ impl Surface {
         work: &Workspace,
         mesh: &SurfaceMesh,
     ) {
-        let room = Capacity { vertices: mesh.vertices, triangles: mesh.most_triangles, ..work.room };
+        let room = Capacity { vertices: mesh.room.vertices, triangles: mesh.room.triangles, ..work.room };
         let count = (recipe.puffs.len() as u32).min(room.particles);
         let uniform = frame.uniform("shapes.surface.recipe", &recipe.uniform(room));
         self.bounds.record(frame, &uniform, puffs, count, work);

@@ -149,7 +149,8 @@ mod tests {
             for triangle in triangles(case) {
                 for [a, b] in [0, 1, 2].map(|i| [triangle[i], triangle[(i + 1) % 3]]) {
                     if within(a) && within(b) {
-                        *count.entry([a, b].map(|edge| ends(edge).map(|corner| corner & 6))).or_insert(0) += 1;
+                        *count.entry([a, b].map(|edge| ends(edge).map(|corner| corner & 6))).or_insert(0) +=
+                            1;
                     }
                 }
             }
@@ -174,8 +175,12 @@ mod tests {
         for case in 0..=255 {
             let [low, high] = packed()[usize::from(case)];
             let word = u64::from(high) << 32 | u64::from(low);
-            let edges: Vec<_> =
-                triangles(case).concat().iter().enumerate().map(|(i, _)| (word >> (4 * i) & 15) as u8).collect();
+            let edges: Vec<_> = triangles(case)
+                .concat()
+                .iter()
+                .enumerate()
+                .map(|(i, _)| (word >> (4 * i) & 15) as u8)
+                .collect();
             assert_eq!(edges, triangles(case).concat());
             assert_eq!((word >> 60) as usize, triangles(case).len());
         }

@@ -42,6 +42,8 @@ pub(crate) struct FieldNoise {
 
 /// Octaves beyond this are smaller than a rounding error.
 const MOST_OCTAVES: u32 = 16;
+/// More than any table of blocks holds.
+const MOST_SUBDIVISIONS: f32 = 65_536.0;
 /// Numbers that divide, and may not be zero.
 const LEAST: f32 = 1e-6;
 
@@ -71,8 +73,8 @@ pub(super) struct RecipeUniform {
 impl Recipe {
     pub(super) fn uniform(&self, room: Capacity) -> RecipeUniform {
         let (cell_m, subdivisions) = match self.spacing {
-            Spacing::Cell(cell_m) => (cell_m.max(LEAST), 1.0),
-            Spacing::Subdivisions(subdivisions) => (0.0, subdivisions.max(1.0)),
+            Spacing::Cell(cell_m) => (cell_m.max(LEAST).min(1.0 / LEAST), 1.0),
+            Spacing::Subdivisions(subdivisions) => (0.0, subdivisions.max(1.0).min(MOST_SUBDIVISIONS)),
         };
         let quiet = FieldNoise { amplitude: 0.0, per_m: 0.0, octaves: 0, seed: 0 };
         let noise = self.noise.unwrap_or(quiet);

@@ -8,8 +8,7 @@
 @group(0) @binding(5) var<storage, read> polygons: array<vec2u>;
 @group(0) @binding(6) var<storage, read> vertex_starts: array<u32>;
 @group(0) @binding(7) var<storage, read> triangle_starts: array<u32>;
-// Three vertices and the part.
-@group(0) @binding(8) var<storage, read_write> triangles: array<vec4u>;
+@group(0) @binding(8) var<storage, read_write> triangles: array<Triangle>;
 
 // The vertex on a cell's edge. Edges are numbered `4 · axis + 2 · v + u`, where u and v are the steps that
 // lead to the edge's lower end along the next axis and the one after.
@@ -49,6 +48,6 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: ve
         }
         // One whose vertices were left out covers nothing.
         let whole = all(ends < vec3u(recipe.vertices));
-        triangles[first + index] = vec4u(select(vec3u(0u), ends, whole), recipe.part);
+        triangles[first + index] = Triangle(select(vec3u(0u), ends, whole), recipe.part);
     }
 }

@@ -8,8 +8,7 @@
 @group(0) @binding(5) var<storage, read> active_blocks: array<u32>;
 @group(0) @binding(6) var<storage, read> cells: array<u32>;
 @group(0) @binding(7) var<storage, read> vertex_starts: array<u32>;
-// Place and packed normal; as integers, for not every driver keeps a float's bits.
-@group(0) @binding(8) var<storage, read_write> places: array<vec4u>;
+@group(0) @binding(8) var<storage, read_write> vertices: array<Vertex>;
 
 // Newton converges in three or four steps; where it can only halve, so many leave 1/1024 of a cell.
 const STEPS: u32 = 10u;
@@ -57,37 +56,37 @@ fn step_to_surface(field: vec4f, most: f32) -> vec3f {
     return field.xyz / steepness * clamp(-field.w / steepness, -most, most);
 }
 
-struct Vertex {
+struct Sample {
     place: vec3f,
     field: vec4f,
 }
 
 // Away from the edge's end, within the surface's tangent plane, and from there back to the surface.
-fn slid(vertex: Vertex, away: vec3f, list: vec2u) -> Vertex {
-    let normal = vertex.field.xyz / length(vertex.field.xyz);
-    var place = vertex.place + away - normal * dot(normal, away);
+fn slid(crossed: Sample, away: vec3f, list: vec2u) -> Sample {
+    let normal = crossed.field.xyz / length(crossed.field.xyz);
+    var place = crossed.place + away - normal * dot(normal, away);
     for (var step = 0u; step < 2u; step++) {
         place += step_to_surface(field_at(place, list), length(away));
     }
-    return Vertex(place, field_at(place, list));
+    return Sample(place, field_at(place, list));
 }
 
-fn vertex_on(start: vec3f, along: vec3f, inside: bool, list: vec2u) -> Vertex {
+fn surface_near(start: vec3f, along: vec3f, inside: bool, list: vec2u) -> Sample {
     let at = crossing(start, along, inside, list);
     let place = start + at * along;
-    let vertex = Vertex(place, field_at(place, list));
+    let crossed = Sample(place, field_at(place, list));
     let away = clamp(at, CLEAR, 1.0 - CLEAR) - at;
-    if away == 0.0 || length(vertex.field.xyz) <= FLAT {
-        return vertex;
+    if away == 0.0 || length(crossed.field.xyz) <= FLAT {
+        return crossed;
     }
-    let slid = slid(vertex, away * along, list);
+    let slid = slid(crossed, away * along, list);
     // Not where the surface bends so much that it was missed.
     let missed = length(step_to_surface(slid.field, lattice.cell_m));
     let found = missed < CONVERGED * lattice.cell_m && length(slid.field.xyz) > FLAT;
     if found {
         return slid;
     }
-    return vertex;
+    return crossed;
 }
 
 fn outward(field: vec4f, along: vec3f, inside: bool) -> vec3f {
@@ -116,9 +115,9 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: ve
             if number < recipe.vertices {
                 var along = vec3f(0.0);
                 along[axis] = lattice.cell_m;
-                let vertex = vertex_on(start, along, inside, list);
-                let normal = octahedral_packed(outward(vertex.field, along, inside));
-                places[number] = vec4u(bitcast<vec3u>(vertex.place), normal);
+                let found = surface_near(start, along, inside, list);
+                let normal = octahedral_packed(outward(found.field, along, inside));
+                vertices[number] = Vertex(found.place, normal);
             }
             number++;
         }

@@ -4,7 +4,9 @@ use std::time::Instant;
 
 use fumetto_scene::Particle;
 
-use super::{BENCH, Capacity, Frame, PoisonError, ROOM, SurfaceMesh, Workspace, particle, puffs, read, recipe};
+use super::{
+    BENCH, Capacity, Frame, PoisonError, ROOM, SurfaceMesh, UNFADED, Workspace, particle, puffs, read, recipe,
+};
 
 const RUNS: u32 = 5;
 
@@ -14,7 +16,8 @@ fn cloud(count: u32) -> Vec<Particle> {
     (0..count)
         .map(|index| {
             // Spread evenly by the powers of the plastic number's cousin (Roberts 2018).
-            let place = [0.819_172_5, 0.671_043_6, 0.549_700_5].map(|k| 4.0 * (k * f64::from(index)).fract() as f32);
+            let place =
+                [0.819_172_5, 0.671_043_6, 0.549_700_5].map(|k| 4.0 * (k * f64::from(index)).fract() as f32);
             particle(place, 4.0 / side, 2.0)
         })
         .collect()
@@ -28,7 +31,7 @@ fn measure(cloud: &[Particle], cell_m: f32) {
     let room = Capacity { vertices: ROOM.vertices, triangles: ROOM.triangles, ..needed };
     let work = Workspace::new(&bench.gpu, room).expect("there is room");
     let mesh = SurfaceMesh::new(&bench.gpu, room).expect("there is room");
-    let puffs = puffs(&bench.gpu, cloud);
+    let puffs = puffs(&bench.gpu, cloud, UNFADED);
     let recipe = recipe(cloud.len(), 0.5, cell_m);
     let mut best = f64::INFINITY;
     for _ in 0..RUNS {

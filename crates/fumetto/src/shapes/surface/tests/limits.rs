@@ -3,7 +3,10 @@
 use fumetto_scene::Particle;
 use glam::Vec3;
 
-use super::{BENCH, Bench, Capacity, Mesh, PoisonError, ROOM, Recipe, Workspace, extract, particle, recipe, surface};
+use super::{
+    BENCH, Bench, Capacity, Mesh, PoisonError, ROOM, Recipe, SurfaceTooLarge, Workspace, extract, particle,
+    recipe, surface,
+};
 
 /// Bits of `lattice.wgsl`.
 const COARSENED: u32 = 1;
@@ -102,7 +105,10 @@ fn what_has_no_room_is_left_out_and_the_rest_is_sound() {
         mesh
     };
     let mesh = sound(Capacity { vertices: 1000, ..ROOM }, VERTICES_LEFT_OUT);
-    assert_eq!((mesh.places.as_slice(), mesh.triangles.len()), (&whole.places[..1000], whole.triangles.len()));
+    assert_eq!(
+        (mesh.places.as_slice(), mesh.triangles.len()),
+        (&whole.places[..1000], whole.triangles.len())
+    );
     let mesh = sound(Capacity { triangles: 1000, ..ROOM }, TRIANGLES_LEFT_OUT);
     assert_eq!(mesh.triangles, whole.triangles[..1000]);
     let mesh = sound(Capacity { active: 20, ..ROOM }, BLOCKS_LEFT_OUT);
@@ -131,7 +137,8 @@ fn room_by_formula_is_enough() {
 fn what_the_device_cannot_hold_is_refused_with_figures() {
     let Bench { gpu, .. } = &*BENCH.lock().unwrap_or_else(PoisonError::into_inner);
     assert!(Workspace::new(gpu, Capacity::of(24, 64.0, 128)).is_ok());
-    let error = Workspace::new(gpu, Capacity::of(1_000_000, 20.0, 128)).expect_err("lists are too long");
+    let error: SurfaceTooLarge =
+        Workspace::new(gpu, Capacity::of(1_000_000, 20.0, 128)).expect_err("lists are too long");
     let message = error.to_string();
     assert!(message.contains("particles on blocks' lists") && message.contains("134217728"), "{message}");
     assert!(Capacity::of(u32::MAX, f32::MAX, u32::MAX).check(gpu).is_err());

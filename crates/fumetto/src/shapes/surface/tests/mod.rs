@@ -15,7 +15,7 @@ use fumetto_scene::Particle;
 use glam::{Vec2, Vec3};
 use wgpu::util::DeviceExt as _;
 
-use super::{Capacity, FieldNoise, Recipe, Spacing, Surface, SurfaceMesh, Workspace};
+use super::{Capacity, FieldNoise, Recipe, Spacing, Surface, SurfaceMesh, SurfaceTooLarge, Workspace};
 use crate::{
     Gpu,
     gpu::{Frame, TexturePool, read_buffer},
@@ -78,21 +78,32 @@ fn surface(particles: &[Particle], threshold: f32, cell_m: f32) -> Mesh {
 }
 
 fn extract(particles: &[Particle], recipe: &Recipe, room: Capacity) -> Mesh {
+    extract_faded(particles, UNFADED, recipe, room)
+}
+
+/// Likewise, with this `fade` of a puff.
+fn extract_faded(particles: &[Particle], fade: u32, recipe: &Recipe, room: Capacity) -> Mesh {
     let bench = BENCH.lock().unwrap_or_else(PoisonError::into_inner);
     let work = Workspace::new(&bench.gpu, room).expect("the room is modest");
     let mesh = SurfaceMesh::new(&bench.gpu, room).expect("the room is modest");
-    let puffs = puffs(&bench.gpu, particles);
+    let puffs = puffs(&bench.gpu, particles, fade);
     let mut frame = Frame::new(&bench.gpu, &bench.pool, "test");
     bench.surface.record(&mut frame, &puffs, recipe, &work, &mesh);
     frame.submit();
     read(&bench.gpu, &mesh)
 }
 
-fn puffs(gpu: &Gpu, particles: &[Particle]) -> wgpu::Buffer {
+/// Not eroded, and opaque.
+const UNFADED: u32 = 0xffff_0000;
+
+fn puffs(gpu: &Gpu, particles: &[Particle], fade: u32) -> wgpu::Buffer {
     let placement = Placement { first: 0, object: 0, first_variant: 0, variants: 1, size: 1.0, seed: 0 };
     let mut puffs = still_puffs(particles, placement);
     if puffs.is_empty() {
         puffs = still_puffs(&[particle(Vec3::ZERO, 0.0, 0.0)], placement);
+    }
+    for puff in &mut puffs {
+        puff.fade = fade;
     }
     gpu.device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
         label: Some("test.puffs"),
@@ -103,7 +114,7 @@ fn puffs(gpu: &Gpu, particles: &[Particle]) -> wgpu::Buffer {
 
 fn read(gpu: &Gpu, mesh: &SurfaceMesh) -> Mesh {
     let counters: Vec<u32> = read_buffer(gpu, &mesh.counters).expect("the device lives");
-    let mut places: Vec<[f32; 4]> = read_buffer(gpu, &mesh.places).expect("the device lives");
+    let mut places: Vec<[f32; 4]> = read_buffer(gpu, &mesh.vertices).expect("the device lives");
     let mut triangles: Vec<[u32; 4]> = read_buffer(gpu, &mesh.triangles).expect("the device lives");
     places.truncate(counters[4] as usize);
     triangles.truncate(counters[5] as usize);

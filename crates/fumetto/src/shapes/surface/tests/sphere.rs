@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use fumetto_scene::Particle;
 use glam::Vec3;
 
-use super::{Recipe, Spacing, extract, particle, recipe, surface, ROOM};
+use super::{ROOM, Recipe, Spacing, extract, extract_faded, particle, recipe, surface};
 
 const CENTER: Vec3 = Vec3::new(0.13, -0.31, 0.07);
 
@@ -65,11 +65,22 @@ fn scales_make_an_inner_layer() {
 }
 
 #[test]
+fn matter_that_erodes_or_fades_has_less_hold() {
+    // Half eroded, half opaque.
+    let fade = 0x7fff_8000;
+    let expected = radius_of(particle(CENTER, 1.0, 2.0), 0.05);
+    let mesh = extract_faded(&[particle(CENTER, 1.0, 8.0)], fade, &recipe(1, 0.05, 0.1), ROOM);
+    assert!(mesh.places.iter().all(|place| (place.distance(CENTER) - expected).abs() < 4e-5));
+    let gone = extract_faded(&[particle(CENTER, 1.0, 8.0)], 0xffff_ffff, &recipe(1, 0.05, 0.1), ROOM);
+    assert!(gone.triangles.is_empty());
+}
+
+#[test]
 fn subdivisions_count_along_the_longest_side_or_a_little_less() {
     // Bounds are 4 × 2 × 2, and 4 / 22 is rounded up to a quarter of an octave.
     let two = [particle(-Vec3::X, 1.0, 8.0), particle(Vec3::X, 1.0, 8.0)];
     let mesh = extract(&two, &Recipe { spacing: Spacing::Subdivisions(22.0), ..recipe(2, 0.05, 0.0) }, ROOM);
-    let cell = (4.0 * (4.0_f32 / 22.0).log2()).ceil().mul_add(0.25, 0.0).exp2();
+    let cell = ((4.0 * (4.0_f32 / 22.0).log2()).ceil() / 4.0).exp2();
     let same = surface(&two, 0.05, cell);
     assert!((18.5..=22.0).contains(&(4.0 / cell)));
     assert_eq!(mesh.triangles, same.triangles);
