@@ -107,7 +107,6 @@ impl<'a> Frame<'a> {
         pass.dispatch_workgroups(groups[0], groups[1], groups[2]);
     }
 
-    #[cfg_attr(not(test), expect(dead_code, reason = "only surfaces use it, and no scene asks for them yet"))]
     /// Runs a kernel with as many workgroups as the buffer `groups` says.
     pub(crate) fn compute_indirect(
         &mut self,

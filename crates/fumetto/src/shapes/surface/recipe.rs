@@ -73,8 +73,8 @@ pub(super) struct RecipeUniform {
 impl Recipe {
     pub(super) fn uniform(&self, room: Capacity) -> RecipeUniform {
         let (cell_m, subdivisions) = match self.spacing {
-            Spacing::Cell(cell_m) => (cell_m.max(LEAST).min(1.0 / LEAST), 1.0),
-            Spacing::Subdivisions(subdivisions) => (0.0, subdivisions.max(1.0).min(MOST_SUBDIVISIONS)),
+            Spacing::Cell(cell_m) => (kept(cell_m, LEAST, 1.0 / LEAST), 1.0),
+            Spacing::Subdivisions(subdivisions) => (0.0, kept(subdivisions, 1.0, MOST_SUBDIVISIONS)),
         };
         let quiet = FieldNoise { amplitude: 0.0, per_m: 0.0, octaves: 0, seed: 0 };
         let noise = self.noise.unwrap_or(quiet);
@@ -99,6 +99,11 @@ impl Recipe {
             pad: [0; 3],
         }
     }
+}
+
+/// Within bounds; what is no number becomes the lower.
+fn kept(value: f32, low: f32, high: f32) -> f32 {
+    if value.is_nan() { low } else { value.clamp(low, high) }
 }
 
 #[cfg(test)]
