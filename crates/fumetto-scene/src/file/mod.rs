@@ -18,8 +18,6 @@ pub use mesh::{ScaleFile, TransformFile, UpFile};
 pub use object::{ObjectFile, ObjectKind, ParticleFile, ParticlesFile, PuffsFile, ShapeFile};
 pub use scene::{BackgroundFile, CameraFile, LightFile, OutputFile, SceneFile, TimeFile};
 pub use smoke::{BurstFile, EmitterFile, EmitterShapeFile, ForceFile};
-    ExaggerateFile, FocusFile, GoochFile, HighlightFile, PlacedToneFile, RampFile, RampImageFile,
-    RampRowsFile, RimFile, StepsFile, ToneFile, TonesFile,
 pub use style::{PixelsFile, ShadingFile, ShadowFile, StyleFile};
 pub use surface::{NoiseFile, SurfaceFile};
 pub use tones::{

@@ -1,6 +1,8 @@
 //! How large a surface's cells are, and how much room it is given: asked for in advance, because nobody
 //! reads back how much it took.
 
+use std::f32::consts::PI;
+
 use crate::{Emitter, Particle, Resolution, Smoke, Surface};
 
 /// Cells along a block's side. Also in the engine's `lattice.wgsl`.
@@ -11,8 +13,10 @@ const POINTS: u64 = BLOCK * BLOCK * BLOCK;
 const MOST_BLOCKS: u64 = 1 << 22;
 /// Cells along the longest side that there is room for where nobody can tell how far particles go.
 const FAR_CELLS: u32 = 128;
-/// Of smoke, so many particles may be as wide as all of it is, and the others an eighth of that.
+/// Of smoke, so many particles may be as wide as all of it is.
 const WIDE_PARTICLES: u64 = 64;
+/// Of many particles, so many may overlap everywhere.
+const OVERLAP: f32 = 8.0;
 
 /// What a surface is made with.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -99,7 +103,9 @@ impl Surface {
             Resolution::PerRadius(cells) => of_cell(mean_m / cells),
             Resolution::Subdivisions(cells) => {
                 let wide = WIDE_PARTICLES.min(count);
-                let radii = [(wide, 0.5 * cells as f32), (count - wide, 0.125 * cells as f32)];
+                // Balls that fill a cube of side 1 so many times.
+                let share = (OVERLAP * 0.75 / (PI * count.max(1) as f32)).cbrt().min(0.5);
+                let radii = [(wide, 0.5 * cells as f32), (count - wide, share * cells as f32)];
                 let room = SurfaceRoom::of(radii, cells);
                 SurfacePlan { spacing: Spacing::Subdivisions(cells as f32), room }
             }

@@ -2,5 +2,4 @@
 
 pub(crate) mod mesh;
 pub(crate) mod puffs;
-#[cfg_attr(not(test), expect(dead_code, unused_imports, reason = "no scene asks for surfaces yet"))]
-mod surface;
+pub(crate) mod surface;

@@ -1,6 +1,6 @@
 //! Which particles touch which block.
 
-use super::{buffers::Workspace, scan::Scan};
+use super::{Job, scan::Scan};
 use crate::gpu::{Frame, Gpu, Slot, folded, kernels, shader};
 
 /// Long-lived kernels.
@@ -18,18 +18,12 @@ impl Bins {
     }
 
     /// Fills the lists of all blocks, in any order.
-    pub(super) fn record(
-        &self,
-        frame: &mut Frame<'_>,
-        recipe: &wgpu::Buffer,
-        count: u32,
-        work: &Workspace,
-        scan: &Scan,
-    ) {
+    pub(super) fn record(&self, frame: &mut Frame<'_>, job: Job<'_>, scan: &Scan) {
+        let Job { recipe, count, room, work } = job;
         let bindings = [recipe, &work.lattice, &work.blobs, &work.tally, &work.starts, &work.entries]
             .map(wgpu::Buffer::as_entire_binding);
         frame.compute("shapes.surface.count", &self.count, &bindings, folded(count));
-        scan.record(frame, work.room.blocks, [&work.tally, &work.runs, &work.starts]);
+        scan.record(frame, room.blocks, [&work.tally, &work.runs, &work.starts]);
         frame.compute("shapes.surface.scatter", &self.scatter, &bindings, folded(count));
     }
 }

@@ -1,6 +1,6 @@
 //! Which blocks the surface can cross: only these do any further work.
 
-use super::{buffers::Workspace, scan::Scan};
+use super::{Job, scan::Scan};
 use crate::gpu::{Frame, Gpu, Slot, kernels, shader, workgroups};
 
 /// Long-lived kernels.
@@ -35,8 +35,9 @@ impl Blocks {
     }
 
     /// Lists the active blocks in their own order, and sorts the particles on their lists.
-    pub(super) fn record(&self, frame: &mut Frame<'_>, recipe: &wgpu::Buffer, work: &Workspace, scan: &Scan) {
-        let all = workgroups(work.room.blocks);
+    pub(super) fn record(&self, frame: &mut Frame<'_>, job: Job<'_>, scan: &Scan) {
+        let Job { recipe, room, work, .. } = job;
+        let all = workgroups(room.blocks);
         let bindings = [
             recipe,
             &work.lattice,
@@ -50,7 +51,7 @@ impl Blocks {
         ]
         .map(wgpu::Buffer::as_entire_binding);
         frame.compute("shapes.surface.classify", &self.classify, &bindings, all);
-        scan.record(frame, work.room.blocks, [&work.crossed, &work.runs, &work.slots]);
+        scan.record(frame, room.blocks, [&work.crossed, &work.runs, &work.slots]);
         frame.compute("shapes.surface.enlist", &self.enlist, &bindings, all);
         let bindings = [&work.lattice, &work.dispatch].map(wgpu::Buffer::as_entire_binding);
         frame.compute("shapes.surface.dispatch", &self.dispatch, &bindings, [1, 1, 1]);

@@ -1,6 +1,6 @@
 //! Puffs become blobs, and the lattice is laid around them.
 
-use super::buffers::Workspace;
+use super::Job;
 use crate::gpu::{Frame, Gpu, Slot, kernels, shader, workgroups};
 
 /// Long-lived kernels.
@@ -17,15 +17,9 @@ impl Bounds {
         Self { weigh, fit }
     }
 
-    /// Settles `count` blobs and the lattice.
-    pub(super) fn record(
-        &self,
-        frame: &mut Frame<'_>,
-        recipe: &wgpu::Buffer,
-        puffs: &wgpu::Buffer,
-        count: u32,
-        work: &Workspace,
-    ) {
+    /// Settles the blobs and the lattice.
+    pub(super) fn record(&self, frame: &mut Frame<'_>, job: Job<'_>, puffs: &wgpu::Buffer) {
+        let Job { recipe, count, work, .. } = job;
         let bindings =
             [recipe, puffs, &work.blobs, &work.shares, &work.lattice].map(wgpu::Buffer::as_entire_binding);
         frame.compute("shapes.surface.weigh", &self.weigh, &bindings, workgroups(count));

@@ -1,17 +1,14 @@
-//! Buffers of a surface: those that only its extraction needs, and those that are drawn.
+//! Buffers that extraction works with.
 
+use fumetto_scene::SurfaceRoom;
 use wgpu::util::DeviceExt as _;
 
-use super::{
-    capacity::{Capacity, RUN, SurfaceTooLarge},
-    polygons,
-};
+use super::{polygons, scan::RUN};
 use crate::gpu::Gpu;
 
 /// What extraction works with. One serves any number of surfaces, one after the other.
 #[derive(Debug)]
 pub(crate) struct Workspace {
-    pub(super) room: Capacity,
     /// `Blob`s of `blob.wgsl`.
     pub(super) blobs: wgpu::Buffer,
     /// `Share`s of `bounds.wgsl`.
@@ -43,18 +40,6 @@ pub(crate) struct Workspace {
     pub(super) polygons: wgpu::Buffer,
 }
 
-/// A surface as triangles.
-#[derive(Debug)]
-pub(crate) struct SurfaceMesh {
-    /// `Vertex`s of `mesh.wgsl`.
-    pub(crate) vertices: wgpu::Buffer,
-    /// `Triangle`s of `mesh.wgsl`.
-    pub(crate) triangles: wgpu::Buffer,
-    /// `Counters` of `counters.wgsl`: begins with the arguments of an indirect draw.
-    pub(crate) counters: wgpu::Buffer,
-    pub(super) room: Capacity,
-}
-
 fn buffer(gpu: &Gpu, label: &str, size: u64, usage: wgpu::BufferUsages) -> wgpu::Buffer {
     gpu.device.create_buffer(&wgpu::BufferDescriptor {
         label: Some(label),
@@ -65,16 +50,13 @@ fn buffer(gpu: &Gpu, label: &str, size: u64, usage: wgpu::BufferUsages) -> wgpu:
 }
 
 impl Workspace {
-    /// # Errors
-    /// When the device has no room for it.
-    pub(crate) fn new(gpu: &Gpu, room: Capacity) -> Result<Self, SurfaceTooLarge> {
-        room.check(gpu)?;
+    /// For surfaces of which none needs more than this `room`, which must have been checked.
+    pub(crate) fn new(gpu: &Gpu, room: SurfaceRoom) -> Self {
         let words = |label, count: u32, each: u64| {
             buffer(gpu, label, u64::from(count) * each * 4, wgpu::BufferUsages::COPY_SRC)
         };
         let counts = |label| buffer(gpu, label, u64::from(room.active) * 4, wgpu::BufferUsages::COPY_DST);
-        Ok(Self {
-            room,
+        Self {
             blobs: words("shapes.surface.blobs", room.particles, 8),
             shares: words("shapes.surface.shares", room.particles.div_ceil(256), 16),
             lattice: buffer(gpu, "shapes.surface.lattice", 48, wgpu::BufferUsages::COPY_SRC),
@@ -98,22 +80,6 @@ impl Workspace {
                 contents: bytemuck::cast_slice(&polygons::packed()),
                 usage: wgpu::BufferUsages::STORAGE,
             }),
-        })
-    }
-}
-
-impl SurfaceMesh {
-    /// # Errors
-    /// When the device has no room for it.
-    pub(crate) fn new(gpu: &Gpu, room: Capacity) -> Result<Self, SurfaceTooLarge> {
-        room.check(gpu)?;
-        let read = wgpu::BufferUsages::COPY_SRC;
-        let list = |label, count: u32| buffer(gpu, label, u64::from(count) * 16, read);
-        Ok(Self {
-            vertices: list("shapes.surface.vertices", room.vertices),
-            triangles: list("shapes.surface.triangles", room.triangles),
-            counters: buffer(gpu, "shapes.surface.counters", 32, read | wgpu::BufferUsages::INDIRECT),
-            room,
-        })
+        }
     }
 }

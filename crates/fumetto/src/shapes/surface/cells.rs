@@ -1,6 +1,6 @@
 //! What the surface is in each cell of the active blocks: its case, and how much comes of it.
 
-use super::{buffers::Workspace, scan::Scan};
+use super::{Job, scan::Scan};
 use crate::gpu::{Frame, Gpu, Slot, kernels, shader};
 
 /// Long-lived kernels.
@@ -21,7 +21,8 @@ impl Cells {
     }
 
     /// Samples the field, sorts cells into cases, and numbers vertices and triangles.
-    pub(super) fn record(&self, frame: &mut Frame<'_>, recipe: &wgpu::Buffer, work: &Workspace, scan: &Scan) {
+    pub(super) fn record(&self, frame: &mut Frame<'_>, job: Job<'_>, scan: &Scan) {
+        let Job { recipe, room, work, .. } = job;
         let bindings =
             [recipe, &work.lattice, &work.blobs, &work.starts, &work.entries, &work.active, &work.signs]
                 .map(wgpu::Buffer::as_entire_binding);
@@ -41,7 +42,7 @@ impl Cells {
         ]
         .map(wgpu::Buffer::as_entire_binding);
         frame.compute_indirect("shapes.surface.cells", &self.cells, &bindings, &work.dispatch);
-        let active = work.room.active;
+        let active = room.active;
         scan.record(frame, active, [&work.vertex_counts, &work.runs, &work.vertex_starts]);
         scan.record(frame, active, [&work.triangle_counts, &work.runs, &work.triangle_starts]);
     }

@@ -27,5 +27,5 @@ fn main() {
     overflow |= select(0u, VERTICES_LEFT_OUT, vertices > recipe.vertices);
     overflow |= select(0u, TRIANGLES_LEFT_OUT, triangles > recipe.triangles);
     let kept = min(triangles, recipe.triangles);
-    counters = Counters(3u * kept, 1u, 0u, 0u, min(vertices, recipe.vertices), kept, overflow, 0u);
+    counters = Counters(3u * kept, 1u, 3u * recipe.first_triangle, 0u, min(vertices, recipe.vertices), kept, overflow, 0u);
 }

@@ -1,7 +1,10 @@
 //! Writes the mesh: vertices on lattice edges, triangles in cells.
 
-use super::buffers::{SurfaceMesh, Workspace};
-use crate::gpu::{Frame, Gpu, Slot, kernels, shader};
+use super::Job;
+use crate::{
+    gpu::{Frame, Gpu, Slot, kernels, shader},
+    shapes::mesh::Reserved,
+};
 
 /// Long-lived kernels.
 #[derive(Debug)]
@@ -22,38 +25,31 @@ impl Meshing {
         Self { vertices, triangles, counters }
     }
 
-    pub(super) fn record(
-        &self,
-        frame: &mut Frame<'_>,
-        recipe: &wgpu::Buffer,
-        work: &Workspace,
-        mesh: &SurfaceMesh,
-    ) {
+    pub(super) fn record(&self, frame: &mut Frame<'_>, job: Job<'_>, mesh: &Reserved) {
+        let Job { recipe, work, .. } = job;
         let bindings = [
-            recipe,
-            &work.lattice,
-            &work.blobs,
-            &work.starts,
-            &work.entries,
-            &work.active,
-            &work.cells,
-            &work.vertex_starts,
-            &mesh.vertices,
-        ]
-        .map(wgpu::Buffer::as_entire_binding);
+            recipe.as_entire_binding(),
+            work.lattice.as_entire_binding(),
+            work.blobs.as_entire_binding(),
+            work.starts.as_entire_binding(),
+            work.entries.as_entire_binding(),
+            work.active.as_entire_binding(),
+            work.cells.as_entire_binding(),
+            work.vertex_starts.as_entire_binding(),
+            mesh.vertices(),
+        ];
         frame.compute_indirect("shapes.surface.vertices", &self.vertices, &bindings, &work.dispatch);
         let bindings = [
-            recipe,
-            &work.lattice,
-            &work.states,
-            &work.active,
-            &work.cells,
-            &work.polygons,
-            &work.vertex_starts,
-            &work.triangle_starts,
-            &mesh.triangles,
-        ]
-        .map(wgpu::Buffer::as_entire_binding);
+            recipe.as_entire_binding(),
+            work.lattice.as_entire_binding(),
+            work.states.as_entire_binding(),
+            work.active.as_entire_binding(),
+            work.cells.as_entire_binding(),
+            work.polygons.as_entire_binding(),
+            work.vertex_starts.as_entire_binding(),
+            work.triangle_starts.as_entire_binding(),
+            mesh.triangles(),
+        ];
         frame.compute_indirect("shapes.surface.triangles", &self.triangles, &bindings, &work.dispatch);
         let bindings = [recipe, &work.lattice, &work.vertex_starts, &work.triangle_starts, &mesh.counters]
             .map(wgpu::Buffer::as_entire_binding);

@@ -31,20 +31,27 @@ mod bins;
 mod blocks;
 mod bounds;
 mod buffers;
-mod capacity;
 mod cells;
 mod mesh;
 mod polygons;
 mod recipe;
+mod refusal;
 mod scan;
+mod scene;
 #[cfg(test)]
 mod tests;
 
-pub(crate) use buffers::{SurfaceMesh, Workspace};
-pub(crate) use capacity::{Capacity, SurfaceTooLarge};
-pub(crate) use recipe::{FieldNoise, Recipe, Spacing};
+pub(crate) use refusal::SurfaceTooLarge;
+pub(crate) use scene::{SurfaceObject, SurfaceScene};
 
-use crate::gpu::{Frame, Gpu};
+use buffers::Workspace;
+use fumetto_scene::SurfaceRoom;
+use recipe::Recipe;
+
+use crate::{
+    gpu::{Frame, Gpu},
+    shapes::mesh::Reserved,
+};
 
 /// Long-lived kernels.
 #[derive(Debug)]
@@ -69,24 +76,35 @@ impl Surface {
         }
     }
 
-    /// Makes the surface of the recipe's `puffs`.
+    /// Makes the surface of the recipe's `puffs`; its `room` is within that of `work`.
     ///
-    /// Puffs beyond the workspace's room are not looked at.
-    pub(crate) fn record(
+    /// Puffs beyond the room are not looked at.
+    fn record(
         &self,
         frame: &mut Frame<'_>,
         puffs: &wgpu::Buffer,
         recipe: &Recipe,
-        work: &Workspace,
-        mesh: &SurfaceMesh,
+        (room, work): (SurfaceRoom, &Workspace),
+        mesh: &Reserved,
     ) {
-        let room = Capacity { vertices: mesh.room.vertices, triangles: mesh.room.triangles, ..work.room };
+        let uniform = frame.uniform("shapes.surface.recipe", &recipe.uniform(room, mesh));
         let count = (recipe.puffs.len() as u32).min(room.particles);
-        let uniform = frame.uniform("shapes.surface.recipe", &recipe.uniform(room));
-        self.bounds.record(frame, &uniform, puffs, count, work);
-        self.bins.record(frame, &uniform, count, work, &self.scan);
-        self.blocks.record(frame, &uniform, work, &self.scan);
-        self.cells.record(frame, &uniform, work, &self.scan);
-        self.meshing.record(frame, &uniform, work, mesh);
+        let job = Job { recipe: &uniform, count, room, work };
+        self.bounds.record(frame, job, puffs);
+        self.bins.record(frame, job, &self.scan);
+        self.blocks.record(frame, job, &self.scan);
+        self.cells.record(frame, job, &self.scan);
+        self.meshing.record(frame, job, mesh);
     }
+}
+
+/// What all steps of an extraction share.
+#[derive(Clone, Copy)]
+struct Job<'a> {
+    /// `Recipe` of `recipe.wgsl`.
+    recipe: &'a wgpu::Buffer,
+    /// Particles.
+    count: u32,
+    room: SurfaceRoom,
+    work: &'a Workspace,
 }

@@ -1,6 +1,8 @@
 use std::ops::Range;
 
-use super::capacity::Capacity;
+use fumetto_scene::{Noise, Spacing, Surface, SurfaceRoom};
+
+use crate::shapes::mesh::Reserved;
 
 /// What is made of an object's puffs.
 #[derive(Clone, Debug)]
@@ -14,30 +16,7 @@ pub(crate) struct Recipe {
     /// Multiplies all masses.
     pub(crate) mass_scale: f32,
     pub(crate) spacing: Spacing,
-    pub(crate) noise: Option<FieldNoise>,
-    /// Number that every triangle carries.
-    pub(crate) part: u32,
-}
-
-/// How finely the field is sampled.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum Spacing {
-    /// The side of a cell, in metres.
-    Cell(f32),
-    /// Cells along the longest side of what there is at the moment. Cells come in steps of a quarter of an
-    /// octave, rounded up, so that they seldom change while smoke grows.
-    Subdivisions(f32),
-}
-
-/// Noise that is added to the field, fixed in the world.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct FieldNoise {
-    /// The most that it adds, in thresholds.
-    pub(crate) amplitude: f32,
-    /// Of the first octave: lattice points a metre.
-    pub(crate) per_m: f32,
-    pub(crate) octaves: u32,
-    pub(crate) seed: u32,
+    pub(crate) noise: Option<Noise>,
 }
 
 /// Octaves beyond this are smaller than a rounding error.
@@ -67,16 +46,25 @@ pub(super) struct RecipeUniform {
     active_blocks: u32,
     vertices: u32,
     triangles: u32,
-    pad: [u32; 3],
+    first_vertex: u32,
+    first_triangle: u32,
+    pad: u32,
 }
 
 impl Recipe {
-    pub(super) fn uniform(&self, room: Capacity) -> RecipeUniform {
+    /// For the shape `surface` of `puffs`.
+    pub(super) fn new(surface: &Surface, puffs: Range<u32>, spacing: Spacing) -> Self {
+        // Puffs bring the factor of their radius along.
+        let (radius_scale, mass_scale) = (1.0, 1.0);
+        Self { puffs, threshold: surface.threshold, radius_scale, mass_scale, spacing, noise: surface.noise }
+    }
+
+    pub(super) fn uniform(&self, room: SurfaceRoom, mesh: &Reserved) -> RecipeUniform {
         let (cell_m, subdivisions) = match self.spacing {
             Spacing::Cell(cell_m) => (kept(cell_m, LEAST, 1.0 / LEAST), 1.0),
             Spacing::Subdivisions(subdivisions) => (0.0, kept(subdivisions, 1.0, MOST_SUBDIVISIONS)),
         };
-        let quiet = FieldNoise { amplitude: 0.0, per_m: 0.0, octaves: 0, seed: 0 };
+        let quiet = Noise { amplitude: 0.0, size_m: 1.0, octaves: 0, seed: 0 };
         let noise = self.noise.unwrap_or(quiet);
         RecipeUniform {
             first: self.puffs.start,
@@ -86,17 +74,19 @@ impl Recipe {
             threshold: self.threshold.max(LEAST),
             cell_m,
             subdivisions,
-            part: self.part,
+            part: mesh.part,
             noise_amplitude: noise.amplitude.max(0.0),
-            noise_per_m: noise.per_m,
+            noise_per_m: 1.0 / kept(noise.size_m, LEAST, 1.0 / LEAST),
             noise_octaves: noise.octaves.min(MOST_OCTAVES),
             noise_seed: noise.seed,
             blocks: room.blocks,
             entries: room.entries,
             active_blocks: room.active,
-            vertices: room.vertices,
-            triangles: room.triangles,
-            pad: [0; 3],
+            vertices: mesh.vertices.len() as u32,
+            triangles: mesh.triangles.len() as u32,
+            first_vertex: mesh.vertices.start,
+            first_triangle: mesh.triangles.start,
+            pad: 0,
         }
     }
 }
@@ -111,5 +101,5 @@ mod tests {
     use super::*;
     use crate::gpu::layout_test;
 
-    layout_test!(lies_as_its_twin: RecipeUniform, "Recipe" of "shapes/surface/bounds" { first, count, radius_scale, mass_scale, threshold, cell_m, subdivisions, part, noise_amplitude, noise_per_m, noise_octaves, noise_seed, blocks, entries, active_blocks, vertices, triangles });
+    layout_test!(lies_as_its_twin: RecipeUniform, "Recipe" of "shapes/surface/bounds" { first, count, radius_scale, mass_scale, threshold, cell_m, subdivisions, part, noise_amplitude, noise_per_m, noise_octaves, noise_seed, blocks, entries, active_blocks, vertices, triangles, first_vertex, first_triangle });
 }

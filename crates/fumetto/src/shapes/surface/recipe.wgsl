@@ -25,4 +25,7 @@ struct Recipe {
     active_blocks: u32,
     vertices: u32,
     triangles: u32,
+    // Where in the lists of all triangles its own begin.
+    first_vertex: u32,
+    first_triangle: u32,
 }

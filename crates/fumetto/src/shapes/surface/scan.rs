@@ -1,7 +1,9 @@
 //! Sums of all that comes before each item of a list.
 
-use super::capacity::RUN;
 use crate::gpu::{Frame, Gpu, Slot, kernels, shader, workgroups};
+
+/// Items that one invocation of `scan.wgsl` looks at.
+pub(super) const RUN: u32 = 32;
 
 /// Long-lived kernels.
 #[derive(Debug)]

@@ -48,6 +48,6 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: ve
         }
         // One whose vertices were left out covers nothing.
         let whole = all(ends < vec3u(recipe.vertices));
-        triangles[first + index] = Triangle(select(vec3u(0u), ends, whole), recipe.part);
+        triangles[first + index] = Triangle(select(vec3u(0u), ends, whole) + recipe.first_vertex, recipe.part);
     }
 }

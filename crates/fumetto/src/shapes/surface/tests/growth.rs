@@ -5,7 +5,8 @@ use std::time::Instant;
 use fumetto_scene::Particle;
 
 use super::{
-    BENCH, Capacity, Frame, PoisonError, ROOM, SurfaceMesh, UNFADED, Workspace, particle, puffs, read, recipe,
+    BENCH, Frame, PoisonError, ROOM, SurfaceRoom, UNFADED, Workspace, meshes, particle, puffs, read, recipe,
+    reserved,
 };
 
 const RUNS: u32 = 5;
@@ -27,17 +28,17 @@ fn measure(cloud: &[Particle], cell_m: f32) {
     let bench = BENCH.lock().unwrap_or_else(PoisonError::into_inner);
     let radius_cells = cloud[0].radius / cell_m;
     let cells = ((4.0 + 2.0 * cloud[0].radius) / cell_m) as u32;
-    let needed = Capacity::of(cloud.len() as u32, radius_cells, cells);
-    let room = Capacity { vertices: ROOM.vertices, triangles: ROOM.triangles, ..needed };
-    let work = Workspace::new(&bench.gpu, room).expect("there is room");
-    let mesh = SurfaceMesh::new(&bench.gpu, room).expect("there is room");
+    let needed = SurfaceRoom::of([(cloud.len() as u64, radius_cells)], cells);
+    let room = SurfaceRoom { vertices: ROOM.vertices, triangles: ROOM.triangles, ..needed };
+    let work = Workspace::new(&bench.gpu, room);
+    let mesh = meshes(&bench.gpu, room);
     let puffs = puffs(&bench.gpu, cloud, UNFADED);
     let recipe = recipe(cloud.len(), 0.5, cell_m);
     let mut best = f64::INFINITY;
     for _ in 0..RUNS {
         let start = Instant::now();
         let mut frame = Frame::new(&bench.gpu, &bench.pool, "growth");
-        bench.surface.record(&mut frame, &puffs, &recipe, &work, &mesh);
+        bench.surface.record(&mut frame, &puffs, &recipe, (room, &work), reserved(&mesh));
         frame.submit();
         bench.gpu.wait().expect("the device lives");
         best = best.min(start.elapsed().as_secs_f64() * 1e3);

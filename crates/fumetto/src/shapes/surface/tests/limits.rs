@@ -4,8 +4,7 @@ use fumetto_scene::Particle;
 use glam::Vec3;
 
 use super::{
-    BENCH, Bench, Capacity, Mesh, PoisonError, ROOM, Recipe, SurfaceTooLarge, Workspace, extract, particle,
-    recipe, surface,
+    BENCH, Bench, Mesh, PoisonError, ROOM, Recipe, SurfaceRoom, check, extract, particle, recipe, surface,
 };
 
 /// Bits of `lattice.wgsl`.
@@ -84,8 +83,8 @@ fn huge_particles_end() {
 
 #[test]
 fn cells_become_larger_where_blocks_or_lists_are_full() {
-    let few_blocks = extract(&[ball()], &recipe(1, 0.05, 0.02), Capacity { blocks: 300, ..ROOM });
-    let short_lists = extract(&[ball()], &recipe(1, 0.05, 0.02), Capacity { entries: 500, ..ROOM });
+    let few_blocks = extract(&[ball()], &recipe(1, 0.05, 0.02), SurfaceRoom { blocks: 300, ..ROOM });
+    let short_lists = extract(&[ball()], &recipe(1, 0.05, 0.02), SurfaceRoom { entries: 500, ..ROOM });
     for mesh in [few_blocks, short_lists] {
         mesh.assert_closed();
         assert_eq!(mesh.overflow, COARSENED);
@@ -96,7 +95,7 @@ fn cells_become_larger_where_blocks_or_lists_are_full() {
 #[test]
 fn what_has_no_room_is_left_out_and_the_rest_is_sound() {
     let whole = surface(&[ball()], 0.05, 0.05);
-    let sound = |room: Capacity, flag: u32| -> Mesh {
+    let sound = |room: SurfaceRoom, flag: u32| -> Mesh {
         let mesh = extract(&[ball()], &recipe(1, 0.05, 0.05), room);
         assert_eq!(mesh.overflow, flag);
         assert_eq!(mesh.draw[0] as usize, 3 * mesh.triangles.len());
@@ -104,14 +103,14 @@ fn what_has_no_room_is_left_out_and_the_rest_is_sound() {
         assert!(mesh.triangles.as_flattened().iter().all(|&vertex| vertex < vertices));
         mesh
     };
-    let mesh = sound(Capacity { vertices: 1000, ..ROOM }, VERTICES_LEFT_OUT);
+    let mesh = sound(SurfaceRoom { vertices: 1000, ..ROOM }, VERTICES_LEFT_OUT);
     assert_eq!(
         (mesh.places.as_slice(), mesh.triangles.len()),
         (&whole.places[..1000], whole.triangles.len())
     );
-    let mesh = sound(Capacity { triangles: 1000, ..ROOM }, TRIANGLES_LEFT_OUT);
+    let mesh = sound(SurfaceRoom { triangles: 1000, ..ROOM }, TRIANGLES_LEFT_OUT);
     assert_eq!(mesh.triangles, whole.triangles[..1000]);
-    let mesh = sound(Capacity { active: 20, ..ROOM }, BLOCKS_LEFT_OUT);
+    let mesh = sound(SurfaceRoom { active: 20, ..ROOM }, BLOCKS_LEFT_OUT);
     assert!(!mesh.triangles.is_empty() && mesh.triangles.len() < whole.triangles.len());
 }
 
@@ -126,7 +125,7 @@ fn room_by_formula_is_enough() {
     // Bounds are about 4.4 along the longest side.
     for cells in [22, 64] {
         let cell_m = 4.4 / cells as f32;
-        let room = Capacity::of(24, 0.7 / cell_m, cells);
+        let room = SurfaceRoom::of([(24, 0.7 / cell_m)], cells);
         let mesh = extract(&cloud, &recipe(24, 0.05, cell_m), room);
         mesh.assert_closed();
         assert_eq!(mesh.overflow, 0, "{cells} cells");
@@ -136,12 +135,12 @@ fn room_by_formula_is_enough() {
 #[test]
 fn what_the_device_cannot_hold_is_refused_with_figures() {
     let Bench { gpu, .. } = &*BENCH.lock().unwrap_or_else(PoisonError::into_inner);
-    assert!(Workspace::new(gpu, Capacity::of(24, 64.0, 128)).is_ok());
-    let error: SurfaceTooLarge =
-        Workspace::new(gpu, Capacity::of(1_000_000, 20.0, 128)).expect_err("lists are too long");
+    let check = |count, radius_cells, cells| check(gpu, SurfaceRoom::of([(count, radius_cells)], cells));
+    assert_eq!(check(24, 64.0, 128), Ok(()));
+    let error = check(1_000_000, 20.0, 128).expect_err("lists are too long");
     let message = error.to_string();
     assert!(message.contains("particles on blocks' lists") && message.contains("134217728"), "{message}");
-    assert!(Capacity::of(u32::MAX, f32::MAX, u32::MAX).check(gpu).is_err());
-    let [small, large] = [22, 128].map(|cells| Capacity::of(24, 6.0, cells).bytes());
+    assert!(check(u64::MAX, f32::MAX, u32::MAX).is_err());
+    let [small, large] = [22, 128].map(|cells| SurfaceRoom::of([(24, 6.0)], cells).bytes());
     assert!(small < 8 << 20 && large > small && large < 256 << 20, "{small} and {large} bytes");
 }

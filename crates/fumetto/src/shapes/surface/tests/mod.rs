@@ -11,15 +11,18 @@ mod sphere;
 
 use std::sync::{LazyLock, Mutex, PoisonError};
 
-use fumetto_scene::Particle;
+use fumetto_scene::{Noise, Particle, Spacing, SurfaceRoom};
 use glam::{Vec2, Vec3};
 use wgpu::util::DeviceExt as _;
 
-use super::{Capacity, FieldNoise, Recipe, Spacing, Surface, SurfaceMesh, SurfaceTooLarge, Workspace};
+use super::{Recipe, Surface, Workspace, refusal::check};
 use crate::{
     Gpu,
     gpu::{Frame, TexturePool, read_buffer},
-    shapes::puffs::{Placement, still_puffs},
+    shapes::{
+        mesh::{Geometry, MeshScene, Reserved, Shells},
+        puffs::{Placement, still_puffs},
+    },
 };
 
 /// Building all pipelines takes longer than most tests do: they share them.
@@ -58,12 +61,26 @@ fn recipe(count: usize, threshold: f32, cell_m: f32) -> Recipe {
         mass_scale: 1.0,
         spacing: Spacing::Cell(cell_m),
         noise: None,
-        part: 7,
     }
 }
 
+/// Number that triangles carry.
+const PART: u32 = 1;
+
+/// Room for a surface that is not the first of its scene.
+fn meshes(gpu: &Gpu, room: SurfaceRoom) -> MeshScene {
+    let mut geometry = Geometry::default();
+    geometry.add_surface(3, 5);
+    geometry.add_surface(room.vertices, room.triangles);
+    MeshScene::new(gpu, &geometry, &Shells::default(), &[]).expect("the room is modest")
+}
+
+fn reserved(meshes: &MeshScene) -> &Reserved {
+    &meshes.reserved[PART as usize]
+}
+
 /// Room for whatever these tests make.
-const ROOM: Capacity = Capacity {
+const ROOM: SurfaceRoom = SurfaceRoom {
     particles: 4096,
     blocks: 1 << 16,
     entries: 1 << 20,
@@ -77,18 +94,18 @@ fn surface(particles: &[Particle], threshold: f32, cell_m: f32) -> Mesh {
     extract(particles, &recipe(particles.len(), threshold, cell_m), ROOM)
 }
 
-fn extract(particles: &[Particle], recipe: &Recipe, room: Capacity) -> Mesh {
+fn extract(particles: &[Particle], recipe: &Recipe, room: SurfaceRoom) -> Mesh {
     extract_faded(particles, UNFADED, recipe, room)
 }
 
 /// Likewise, with this `fade` of a puff.
-fn extract_faded(particles: &[Particle], fade: u32, recipe: &Recipe, room: Capacity) -> Mesh {
+fn extract_faded(particles: &[Particle], fade: u32, recipe: &Recipe, room: SurfaceRoom) -> Mesh {
     let bench = BENCH.lock().unwrap_or_else(PoisonError::into_inner);
-    let work = Workspace::new(&bench.gpu, room).expect("the room is modest");
-    let mesh = SurfaceMesh::new(&bench.gpu, room).expect("the room is modest");
+    let work = Workspace::new(&bench.gpu, room);
+    let mesh = meshes(&bench.gpu, room);
     let puffs = puffs(&bench.gpu, particles, fade);
     let mut frame = Frame::new(&bench.gpu, &bench.pool, "test");
-    bench.surface.record(&mut frame, &puffs, recipe, &work, &mesh);
+    bench.surface.record(&mut frame, &puffs, recipe, (room, &work), reserved(&mesh));
     frame.submit();
     read(&bench.gpu, &mesh)
 }
@@ -112,19 +129,25 @@ fn puffs(gpu: &Gpu, particles: &[Particle], fade: u32) -> wgpu::Buffer {
     })
 }
 
-fn read(gpu: &Gpu, mesh: &SurfaceMesh) -> Mesh {
-    let counters: Vec<u32> = read_buffer(gpu, &mesh.counters).expect("the device lives");
-    let mut places: Vec<[f32; 4]> = read_buffer(gpu, &mesh.vertices).expect("the device lives");
-    let mut triangles: Vec<[u32; 4]> = read_buffer(gpu, &mesh.triangles).expect("the device lives");
-    places.truncate(counters[4] as usize);
-    triangles.truncate(counters[5] as usize);
+fn read(gpu: &Gpu, meshes: &MeshScene) -> Mesh {
+    let reserved = reserved(meshes);
+    let counters: Vec<u32> = read_buffer(gpu, &reserved.counters).expect("the device lives");
+    let places: Vec<[f32; 4]> = read_buffer(gpu, &meshes.vertices).expect("the device lives");
+    let triangles: Vec<[u32; 4]> = read_buffer(gpu, &meshes.triangles).expect("the device lives");
+    let [first_vertex, first_triangle] = [reserved.vertices.start, reserved.triangles.start];
+    assert!(first_vertex > 0 && first_triangle > 0, "there is another surface");
+    let places = &places[first_vertex as usize..][..counters[4] as usize];
+    let triangles = &triangles[first_triangle as usize..][..counters[5] as usize];
     Mesh {
         places: places.iter().map(|&[x, y, z, _]| Vec3::new(x, y, z)).collect(),
         normals: places.iter().map(|&[.., packed]| unpack(packed.to_bits())).collect(),
-        triangles: triangles.iter().map(|&[a, b, c, _]| [a, b, c]).collect(),
+        triangles: triangles
+            .iter()
+            .map(|&[a, b, c, _]| [a, b, c].map(|corner| corner - first_vertex))
+            .collect(),
         parts: triangles.iter().map(|&[.., part]| part).collect(),
         overflow: counters[6],
-        draw: [counters[0], counters[1], counters[2], counters[3]],
+        draw: [counters[0], counters[1], counters[2] - 3 * first_triangle, counters[3]],
     }
 }
 

@@ -3,7 +3,7 @@
 use fumetto_scene::Particle;
 use glam::{DVec3, Vec3};
 
-use super::{FieldNoise, Mesh, ROOM, Recipe, extract, particle, recipe, surface};
+use super::{Mesh, Noise, ROOM, Recipe, extract, particle, recipe, surface};
 
 const THRESHOLD: f32 = 0.3;
 
@@ -58,7 +58,7 @@ fn agreement(mesh: &Mesh) -> f32 {
 #[test]
 fn normals_of_a_noisy_surface_are_its_own() {
     let cloud = cloud();
-    let noise = FieldNoise { amplitude: 2.0, per_m: 2.0, octaves: 2, seed: 5 };
+    let noise = Noise { amplitude: 2.0, size_m: 0.5, octaves: 2, seed: 5 };
     let noisy = Recipe { noise: Some(noise), ..recipe(cloud.len(), THRESHOLD, 0.03) };
     let noisy = extract(&cloud, &noisy, ROOM);
     let smooth = surface(&cloud, THRESHOLD, 0.03);

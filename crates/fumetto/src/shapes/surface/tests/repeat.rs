@@ -4,8 +4,8 @@ use fumetto_scene::Particle;
 use glam::Vec3;
 
 use super::{
-    BENCH, Frame, PoisonError, ROOM, Recipe, Spacing, SurfaceMesh, UNFADED, Workspace, extract, particle,
-    puffs, read_buffer, recipe,
+    BENCH, Frame, PoisonError, ROOM, Recipe, Spacing, UNFADED, Workspace, extract, meshes, particle, puffs,
+    read_buffer, recipe, reserved,
 };
 
 /// So dense that blocks have lists of hundreds.
@@ -37,11 +37,11 @@ fn runs_give_the_same_mesh_to_the_bit() {
 fn lists_are_in_the_particles_order_whatever_order_they_were_filled_in() {
     let cloud = cloud();
     let bench = BENCH.lock().unwrap_or_else(PoisonError::into_inner);
-    let work = Workspace::new(&bench.gpu, ROOM).expect("the room is modest");
-    let mesh = SurfaceMesh::new(&bench.gpu, ROOM).expect("the room is modest");
+    let work = Workspace::new(&bench.gpu, ROOM);
+    let mesh = meshes(&bench.gpu, ROOM);
     let mut frame = Frame::new(&bench.gpu, &bench.pool, "test");
     let puffs = puffs(&bench.gpu, &cloud, UNFADED);
-    bench.surface.record(&mut frame, &puffs, &fine(cloud.len()), &work, &mesh);
+    bench.surface.record(&mut frame, &puffs, &fine(cloud.len()), (ROOM, &work), reserved(&mesh));
     frame.submit();
     let words = |buffer| -> Vec<u32> { read_buffer(&bench.gpu, buffer).expect("the device lives") };
     let [lattice, active] = [words(&work.lattice), words(&work.active)];

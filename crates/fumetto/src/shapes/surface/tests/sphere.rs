@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use fumetto_scene::Particle;
 use glam::Vec3;
 
-use super::{ROOM, Recipe, Spacing, extract, extract_faded, particle, recipe, surface};
+use super::{PART, ROOM, Recipe, Spacing, extract, extract_faded, particle, recipe, surface};
 
 const CENTER: Vec3 = Vec3::new(0.13, -0.31, 0.07);
 
@@ -23,7 +23,7 @@ fn a_lone_particle_is_a_sphere_of_the_radius_that_equation_2_gives() {
         sphere.assert_closed();
         assert_eq!((sphere.euler_characteristic(), sphere.pieces()), (2, 1));
         assert_eq!(sphere.overflow, 0);
-        assert!(sphere.parts.iter().all(|&part| part == 7));
+        assert!(sphere.parts.iter().all(|&part| part == PART));
         for (place, normal) in sphere.places.iter().zip(&sphere.normals) {
             let off = (place.distance(CENTER) - expected).abs();
             assert!(off < 2e-5 * radius, "{off} at {place} off a radius of {expected}");
