@@ -33,7 +33,7 @@ draw explosion explosion.png --frame 16 "${large[@]}"
 # Layers come beside it: cumulus.normal.png and its kin.
 draw cumulus cumulus.png --layers normal,depth,id,alpha,ink "${large[@]}"
 draw cloud cloud.png "${large[@]}"
-draw genie genie.png --frame 96 "${large[@]}"
+draw genie genie.png --frame 150 "${large[@]}"
 draw chimney chimney.gif --frames 144..191 --size 320x180
 
 # The first scene of README.md, as it stands there, and two ways for its smoke to end.
@@ -66,7 +66,7 @@ draw cumulus shadow-off.png "${low_sun[@]}" --set style.shadow.on=false "${small
 
 draw cloud surface-thin.png --set object.cloud.shape.surface.threshold=0.05 "${small[@]}"
 draw cloud surface-noise.png \
-    --set 'object.cloud.shape.surface.noise={ amplitude = 0.5, size = 0.6 }' "${small[@]}"
+    --set 'object.cloud.shape.surface.noise={ amplitude = 1.6, size = 1, octaves = 1 }' "${small[@]}"
 
 # The plate of shadings, and each of them by itself: in its place of four columns and three rows.
 draw shadings shadings.png --size 640x480 --set style.height=800

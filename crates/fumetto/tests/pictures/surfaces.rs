@@ -147,13 +147,11 @@ fn finer_cells_and_larger_sizes_do_what_they_say() {
 
 /// A plume whose skin is made anew for each frame.
 fn plume() -> Stage {
-    let mut stage = Stage { time: "fps = 24, frames = [0, 40]".into(), ..Stage::default() };
-    stage.objects = "[[object]]\nname = \"plume\"\nkind = \"smoke\"\n\
+    let objects = "[[object]]\nname = \"plume\"\nkind = \"smoke\"\n\
          shape = { surface = { subdivisions = 24, noise = { amplitude = 2, size = 0.5 } } }\n\
          emitter = { shape = { disc = { center = [0, -3, 0], radius = 0.4 } }, rate = 40, velocity = [0, 3, 0], \
-         spread = 20, life = [0.6, 1], radius = [0.4, 0.8], erosion_over_life = [[0.5, 0], [1, 1]] }\n"
-        .into();
-    stage
+         spread = 20, life = [0.6, 1], radius = [0.4, 0.8], erosion_over_life = [[0.5, 0], [1, 1]] }\n";
+    Stage { time: "fps = 24, frames = [0, 40]".into(), objects: objects.into(), ..Stage::default() }
 }
 
 #[test]
@@ -176,10 +174,9 @@ fn a_sequence_of_files_gets_room_as_it_grows() {
         format!("x,y,z,radius\n{lines}")
     };
     let files = Files::default().with("p.0000.csv", csv(1)).with("p.0001.csv", csv(3));
-    let mut stage = Stage::default();
-    stage.objects = "[[object]]\nname = \"cloud\"\nkind = \"cloud\"\nparticles = \"p.####.csv\"\n\
-         shape = { surface = {} }\n"
-        .into();
+    let objects = "[[object]]\nname = \"cloud\"\nkind = \"cloud\"\nparticles = \"p.####.csv\"\n\
+         shape = { surface = {} }\n";
+    let stage = Stage { objects: objects.into(), ..Stage::default() };
     let mut engine = engine();
     let mut player = stage.play(&engine, files).unwrap();
     let one = picture_at(&mut engine, &mut player, 0).unwrap();
