@@ -32,6 +32,8 @@ draw lamp lamp.png --frame 150 "${large[@]}"
 draw explosion explosion.png --frame 16 "${large[@]}"
 # Layers come beside it: cumulus.normal.png and its kin.
 draw cumulus cumulus.png --layers normal,depth,id,alpha,ink "${large[@]}"
+draw cloud cloud.png "${large[@]}"
+draw genie genie.png --frame 150 "${large[@]}"
 draw chimney chimney.gif --frames 144..191 --size 320x180
 
 # The first scene of README.md, as it stands there, and two ways for its smoke to end.
@@ -61,6 +63,10 @@ draw cumulus clean-0.png --set style.clean.px=0 "${small[@]}"
 low_sun=(--set 'light[0].direction=[1, -0.35, -0.1]')
 draw cumulus shadow-on.png "${low_sun[@]}" "${small[@]}"
 draw cumulus shadow-off.png "${low_sun[@]}" --set style.shadow.on=false "${small[@]}"
+
+draw cloud surface-thin.png --set object.cloud.shape.surface.threshold=0.05 "${small[@]}"
+draw cloud surface-noise.png \
+    --set 'object.cloud.shape.surface.noise={ amplitude = 1.6, size = 1, octaves = 1 }' "${small[@]}"
 
 # The plate of shadings, and each of them by itself: in its place of four columns and three rows.
 draw shadings shadings.png --size 640x480 --set style.height=800

@@ -71,6 +71,85 @@ const PROGRAMS: &[(&str, &[&str])] = &[
         ],
     ),
     (
+        "shapes/surface/bounds",
+        &[
+            "shapes/puffs/puff",
+            "shapes/surface/recipe",
+            "shapes/surface/lattice",
+            "shapes/surface/reach",
+            "shapes/surface/blob",
+            "shapes/surface/bounds",
+        ],
+    ),
+    (
+        "shapes/surface/bins",
+        &[
+            "shapes/surface/recipe",
+            "shapes/surface/lattice",
+            "shapes/surface/reach",
+            "shapes/surface/blob",
+            "shapes/surface/bins",
+        ],
+    ),
+    ("shapes/surface/scan", &["shapes/surface/scan"]),
+    (
+        "shapes/surface/blocks",
+        &["shapes/surface/recipe", "shapes/surface/lattice", "shapes/surface/blob", "shapes/surface/blocks"],
+    ),
+    ("shapes/surface/dispatch", &["shapes/surface/lattice", "shapes/surface/dispatch"]),
+    ("shapes/surface/sort", &["shapes/surface/lattice", "shapes/surface/sort"]),
+    (
+        "shapes/surface/signs",
+        &[
+            "gpu/random",
+            "gpu/noise",
+            "shapes/surface/recipe",
+            "shapes/surface/lattice",
+            "shapes/surface/blob",
+            "shapes/surface/field",
+            "shapes/surface/signs",
+        ],
+    ),
+    (
+        "shapes/surface/cells",
+        &[
+            "shapes/surface/lattice",
+            "shapes/surface/cell",
+            "shapes/surface/neighbours",
+            "shapes/surface/cells",
+        ],
+    ),
+    (
+        "shapes/surface/vertices",
+        &[
+            "gpu/random",
+            "gpu/noise",
+            "gpu/octahedral",
+            "shapes/surface/recipe",
+            "shapes/surface/lattice",
+            "shapes/surface/blob",
+            "shapes/mesh/mesh",
+            "shapes/surface/cell",
+            "shapes/surface/field",
+            "shapes/surface/vertices",
+        ],
+    ),
+    (
+        "shapes/surface/triangles",
+        &[
+            "shapes/surface/recipe",
+            "shapes/surface/lattice",
+            "shapes/mesh/mesh",
+            "shapes/surface/cell",
+            "shapes/surface/neighbours",
+            "shapes/surface/triangles",
+        ],
+    ),
+    (
+        "shapes/surface/counters",
+        &["shapes/surface/recipe", "shapes/surface/lattice", "shapes/surface/counters"],
+    ),
+    (
         "light/casters",
         &[
             "gpu/view",

@@ -16,6 +16,7 @@ mod scene;
 mod shadows;
 mod step;
 mod subsystem;
+mod surface;
 
 use anyhow::{Context as _, ensure};
 use clap::Parser as _;
@@ -27,7 +28,8 @@ use report::{Report, Row, Table};
 use subsystem::Subsystem;
 
 /// Everything that is measured, in the order of the report.
-const SUBSYSTEMS: [&Subsystem; 4] = [&step::STEP, &draw::DRAW, &edges::EDGES, &shadows::SHADOWS];
+const SUBSYSTEMS: [&Subsystem; 5] =
+    [&step::STEP, &surface::SURFACE, &draw::DRAW, &edges::EDGES, &shadows::SHADOWS];
 
 fn main() -> anyhow::Result<()> {
     let args = Args::parse();

@@ -94,7 +94,13 @@ pub const ACCELERATION: Limit = Limit::closed(-1e6, 1e6);
 pub const ANGLE_DEG: Limit = Limit::closed(0.0, 180.0);
 /// What stretches a model; 0 is refused besides.
 pub const STRETCH: Limit = Limit::closed(-1e6, 1e6);
-/// Octaves of turbulence.
+/// Cells of a surface along its longest side.
+pub const SUBDIVISIONS: Limit = Limit::closed(1.0, 512.0);
+/// Cells of a surface to a particle's radius.
+pub const PER_RADIUS: Limit = Limit::above(0.0, 100.0);
+/// Strength of a surface's noise, in thresholds.
+pub const AMPLITUDE: Limit = Limit::closed(0.0, 100.0);
+/// Octaves of turbulence and of a surface's noise.
 pub const OCTAVES: Limit = Limit::closed(1.0, 6.0);
 
 /// The range of a number.

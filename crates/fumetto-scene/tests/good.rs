@@ -6,8 +6,8 @@ mod common;
 use common::{load, load_with};
 use fumetto_scene::{
     Background, Burst, Colour, Curve, EmitterShape, Exaggerate, Force, Gooch, Highlight, Light, LightKind,
-    Matter, Mesh, Particle, Puffs, Ramp, RampImage, RampRows, Rim, Scene, SceneText, Shading, Smoke, Style,
-    StyleChoice, Tone, Transform, Width,
+    Matter, Mesh, Noise, Particle, Puffs, Ramp, RampImage, RampRows, Resolution, Rim, Scene, SceneText,
+    Shading, Shape, Smoke, Spacing, Style, StyleChoice, Surface, Tone, Transform, Width,
 };
 
 fn srgb(hex: u32) -> Colour {
@@ -50,7 +50,8 @@ fn the_sketch_of_the_format_is_valid() {
         Particle { center: [0.9, 0.9, 0.1], radius: 0.7, mass: 8.0 },
     ];
     assert_eq!(object.matter, Matter::Still(particles.to_vec()));
-    assert_eq!(object.puffs, Puffs { variants: 4, seed: 1, spheres: 24, tile_px: 128, size: 1.0 });
+    let puffs = Puffs { variants: 4, seed: 1, spheres: 24, tile_px: 128, size: 1.0 };
+    assert_eq!(object.shape, Shape::Puffs(puffs));
     let tones = vec![Tone { colour: srgb(0x8fa3b8), from: 0.0 }, Tone { colour: srgb(0xe8eef4), from: 0.5 }];
     assert_eq!(object.style.ramp, Ramp::Tones(tones));
     assert_eq!((object.style.ink.colour, object.style.ink.width), (srgb(0x101418), Width::Px(2.0)));
@@ -78,7 +79,8 @@ fn every_key_reaches_the_scene() {
 fn every_key_of_a_style_reaches_it() {
     let scene = good(include_str!("good/everything.toml"));
     let fire = &scene.objects[0];
-    assert_eq!((fire.visible, fire.opacity, fire.puffs.variants, fire.puffs.tile_px), (false, 0.5, 8, 64));
+    let puffs = fire.shape.puffs().unwrap();
+    assert_eq!((fire.visible, fire.opacity, puffs.variants, puffs.tile_px), (false, 0.5, 8, 64));
     let style = &fire.style;
     assert!(!style.ink.on, "the object's own style");
     let white = Colour { linear: [1.0; 3] };
@@ -323,4 +325,82 @@ fn a_mesh_stands_where_its_transforms_say() {
         ],
     };
     assert_eq!(mesh(1), trees);
+}
+
+/// The surface `shape` of two balls of radius 1 whose middles are 3 m apart.
+fn two_balls(shape: &str) -> (Surface, Vec<Particle>) {
+    let scene = good(&format!(
+        "format = 1\ncamera = {{ eye = [0, 1, 5], target = [0, 0, 0] }}\n\
+         light = [{{ kind = \"sun\", direction = [0, -1, 0] }}]\n\
+         object = [{{ name = \"a\", kind = \"cloud\", shape = {{ surface = {{ {shape} }} }}, particles = [\n\
+         {{ center = [0, 5, 0], radius = 1 }}, {{ center = [3, 5, 0], radius = 1 }} ] }}]"
+    ));
+    let Matter::Still(particles) = &scene.objects[0].matter else { panic!("a still cloud") };
+    (*scene.objects[0].shape.surface().unwrap(), particles.clone())
+}
+
+#[test]
+fn every_key_of_a_surface_reaches_it() {
+    let resolution = Resolution::Subdivisions(48);
+    let plain = Surface { threshold: 0.05, resolution, size: 1.0, noise: None };
+    assert_eq!(two_balls("").0, plain);
+    let noise = Noise { amplitude: 2.0, size_m: 0.5, octaves: 3, seed: 1 };
+    let noisy = Surface { threshold: 0.6, size: 1.5, noise: Some(noise), ..plain };
+    assert_eq!(two_balls("threshold = 0.6, size = 1.5, noise = { amplitude = 2, size = 0.5 }").0, noisy);
+    for (keys, resolution) in [
+        ("subdivisions = 22", Resolution::Subdivisions(22)),
+        ("cell = 0.1", Resolution::Cell(0.1)),
+        ("per_radius = 4", Resolution::PerRadius(4.0)),
+    ] {
+        assert_eq!(two_balls(keys).0, Surface { resolution, ..plain });
+    }
+}
+
+#[test]
+fn a_surfaces_cells_are_as_large_as_asked_for() {
+    // From -1 to 4 along x.
+    for (keys, cell_m) in [
+        ("subdivisions = 25", 0.2),
+        ("subdivisions = 20, size = 0.5", 0.2),
+        ("cell = 0.1", 0.1),
+        ("per_radius = 4", 0.25),
+    ] {
+        let (surface, particles) = two_balls(keys);
+        assert_eq!(surface.plan(&particles).spacing, Spacing::Cell(cell_m), "{keys}");
+    }
+    let (surface, particles) = two_balls("subdivisions = 25");
+    assert_eq!(surface.plan_sequence(&particles).spacing, Spacing::Subdivisions(25.0));
+    assert_eq!(surface.plan(&[]).room.particles, 1, "nothing is no reason to fail");
+}
+
+#[test]
+fn a_surfaces_room_grows_with_its_area_and_its_particles() {
+    let room = |cells: u32| {
+        let (surface, particles) = two_balls(&format!("subdivisions = {cells}"));
+        surface.plan(&particles).room
+    };
+    let [coarse, fine] = [room(128), room(256)];
+    let growth = f64::from(fine.triangles) / f64::from(coarse.triangles);
+    assert!((3.0..4.2).contains(&growth), "{growth} times the triangles for cells of half the size");
+    let growth = f64::from(fine.entries) / f64::from(coarse.entries);
+    assert!((5.0..8.2).contains(&growth), "{growth} times the room on lists");
+    assert!(fine.bytes() < 256 << 20, "{} bytes", fine.bytes());
+}
+
+#[test]
+fn the_cost_of_a_surface_is_told_beforehand() {
+    let set = [set("object.fire.shape", "{ surface = { subdivisions = 32 } }")];
+    let toml = include_str!("good/everything.toml");
+    let text = SceneText { name: "scene.toml", toml, set: &set, style: None };
+    let (scene, _) = load_with(&text, &[]).unwrap();
+    let cost = &scene.requirements()[0];
+    assert_eq!(cost.surface.map(|room| u64::from(room.particles)), cost.particles);
+    assert_eq!(scene.requirements()[1].surface, None);
+}
+
+#[test]
+fn a_curves_mean_counts_what_lies_outside_its_points() {
+    let curve = Curve { points: vec![[0.2, 1.0], [0.6, 3.0]] };
+    assert!((curve.mean() - (0.2 + 0.4 * 2.0 + 0.4 * 3.0)).abs() < 1e-6, "{}", curve.mean());
+    assert_eq!((curve.largest(), Curve::constant(2.0).mean()), (3.0, 2.0));
 }

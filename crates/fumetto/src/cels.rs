@@ -33,20 +33,24 @@ pub(crate) fn cels(scene: &Scene, eye: Vec3) -> Vec<Cel> {
 fn is_pre_shaded(scene: &Scene, members: &[usize]) -> bool {
     let only_suns = scene.lights.iter().all(|light| matches!(light.kind, LightKind::Sun { .. }));
     let chosen = |&member: &usize| {
-        let style = &scene.objects[member].style;
+        let object = &scene.objects[member];
+        let style = &object.style;
         let is_chosen = match style.shading {
             Shading::PreShaded => true,
             Shading::PerPixel => false,
             // Then the two look alike, and copying is the faster.
             Shading::Auto => style.form == 0.0 && style.clean_px == 0.0,
         };
-        is_chosen && style.suits_sprites() && !matches!(scene.objects[member].matter, Matter::Mesh(_))
+        let has_puffs = !matches!(object.matter, Matter::Mesh(_)) && object.shape.puffs().is_some();
+        is_chosen && style.suits_sprites() && has_puffs
     };
     only_suns && scene.objects.len() <= MAX_OBJECTS && !members.is_empty() && members.iter().all(chosen)
 }
 
 fn is_opaque(object: &Object) -> bool {
     let fades = match &object.matter {
+        // What fades from sight has ever less hold on a surface, which itself stays opaque.
+        Matter::Smoke(_) if object.shape.surface().is_some() => false,
         Matter::Smoke(smoke) => smoke
             .emitters
             .iter()

@@ -8,7 +8,7 @@ use crate::{
     particles::Particles,
     player::PlayedMatter,
     proof::atlas_pictures,
-    shapes::{mesh::Place, puffs::Present},
+    shapes::{mesh::Place, puffs::Present, surface::Surface},
 };
 
 /// What the picture is drawn into: sRGB bytes, straight alpha.
@@ -25,6 +25,7 @@ pub struct Engine {
     particles: Particles,
     present: Present,
     place: Place,
+    surface: Surface,
     painter: Painter,
 }
 
@@ -58,6 +59,7 @@ impl Engine {
             particles: Particles::new(&gpu),
             present: Present::new(&gpu),
             place: Place::new(&gpu),
+            surface: Surface::new(&gpu),
             painter: Painter::new(&gpu),
             pool: TexturePool::default(),
             gpu,
@@ -122,8 +124,8 @@ impl Engine {
         }
     }
 
-    /// Turns the particles into puffs, and brings models to their places.
-    fn show(&self, player: &Player) {
+    /// Turns the particles into puffs, puffs into surfaces, and brings models to their places.
+    fn show(&self, player: &mut Player) {
         let mut frame = Frame::new(&self.gpu, &self.pool, "shapes.present");
         self.place.record(&mut frame, &player.meshes);
         for object in &player.objects {
@@ -136,6 +138,7 @@ impl Engine {
                 }
             }
         }
+        player.surfaces.record(&mut frame, &self.surface, &player.puffs.puffs, &player.meshes);
         frame.submit();
     }
 

@@ -5,7 +5,7 @@ use thiserror::Error;
 
 use crate::{
     gpu::GpuError,
-    shapes::{mesh::MeshError, puffs::AtlasError},
+    shapes::{mesh::MeshError, puffs::AtlasError, surface::SurfaceTooLarge},
 };
 
 /// Why a scene cannot be played or drawn.
@@ -28,6 +28,14 @@ pub enum Error {
     /// The models are larger than the device can hold.
     #[error(transparent)]
     Mesh(#[from] MeshError),
+    /// A surface is larger than the device can hold.
+    #[error("the object `{object}`: {source}")]
+    Surface {
+        /// Its name.
+        object: String,
+        /// Which of its lists is too long.
+        source: SurfaceTooLarge,
+    },
     /// The picture is too large to draw at once.
     #[error(
         "a picture of {width} x {height} pixels with {antialias} samples along each side of a pixel needs a \

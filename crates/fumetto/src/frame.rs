@@ -146,7 +146,7 @@ impl Painter {
         let scene = player.scene();
         let shadows = scene.objects.iter().any(|object| object.visible && object.style.shadow.on);
         let lights = LightsUniform::new(&scene.lights, shadows);
-        let features = Features::of(&scene.objects, player.meshes.vertex_count > 0);
+        let features = Features::of(&scene.objects, !player.meshes.is_empty());
         self.flat.prepare(gpu, features);
         Setting { player, view, lights, features, samples: shot.antialias }
     }

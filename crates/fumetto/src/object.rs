@@ -39,6 +39,16 @@ const IMAGE_INK: u32 = 16;
 const HYBRID_INK: u32 = 32;
 const SHOWS_SHADOWS: u32 = 64;
 
+/// How an object's lines are found: those of a surface, whose triangles only the device knows, in the picture
+/// where others' are found along edges.
+pub(crate) fn ink_method(object: &Object) -> InkMethod {
+    match (object.style.ink.method, object.shape.surface()) {
+        (InkMethod::Angle, _) => InkMethod::Angle,
+        (_, Some(_)) => InkMethod::Image,
+        (method, None) => method,
+    }
+}
+
 impl ObjectStyle {
     /// The style of `object`, the scene's `index`-th, in a picture `height_px` samples high.
     pub(crate) fn new(object: &Object, index: u32, height_px: u32, in_cel: bool) -> Self {
@@ -48,13 +58,16 @@ impl ObjectStyle {
             Width::Px(px) => (px * scale, 0.0),
             Width::World(metres) => (0.0, metres),
         };
-        let method = match style.ink.method {
+        let method = match ink_method(object) {
             InkMethod::Angle => ANGLE_INK,
             InkMethod::Image => IMAGE_INK,
             InkMethod::Hybrid => HYBRID_INK,
             InkMethod::Shell | InkMethod::Vector => 0,
         };
         let flag = |on, bit| if on { bit } else { 0 };
+        // Puffs that are the matter of a surface are never drawn singly.
+        let has_puffs = object.shape.puffs().is_some();
+        let has_outline = has_puffs && style.ink.on && style.ink.silhouette.on;
         Self {
             ink_width_px,
             ink_width_m,
@@ -68,12 +81,10 @@ impl ObjectStyle {
             shadow_reach: style.shadow.reach,
             shadow_start: style.shadow.start,
             shadow_size: style.shadow.size,
-            flags: flag(
-                style.ink.on && style.ink.silhouette.on && method & (ANGLE_INK | IMAGE_INK) == 0,
-                HAS_INK,
-            ) | flag(style.ink.on, method)
-                | flag(style.shadow.on && object.visible, THROWS_SHADOW)
-                | flag(in_cel, IN_CEL)
+            flags: flag(has_outline && method & (ANGLE_INK | IMAGE_INK) == 0, HAS_INK)
+                | flag(style.ink.on, method)
+                | flag(has_puffs && style.shadow.on && object.visible, THROWS_SHADOW)
+                | flag(has_puffs && in_cel, IN_CEL)
                 | flag(style.shadow.receive, SHOWS_SHADOWS),
             form_scale: style.form_scale,
             material: style.material,

@@ -3,17 +3,20 @@
 use std::{collections::BTreeMap, ops::Range};
 
 use fumetto_formats::{Model, ModelOptions, is_sequence, sequence_path};
-use fumetto_scene::{Ink, InkMethod, Matter, Mesh, Object, Particle, Puffs, Ramp, RampImage, Scene, Style};
+use fumetto_scene::{
+    Ink, InkMethod, Matter, Mesh, Object, Particle, Puffs, Ramp, RampImage, Scene, Shape, Style, SurfacePlan,
+};
 
 use crate::{
     Assets, Error,
     assets::{load_image, load_model, load_particles},
     gpu::Gpu,
-    object::ObjectStyle,
+    object::{ObjectStyle, ink_method},
     particles::Emission,
     shapes::{
         mesh::{Geometry, MeshScene, Shells, candidates},
         puffs::{Atlas, Placement, PuffObject, PuffScene, still_puffs},
+        surface::{SurfaceObject, SurfaceScene},
     },
     tone::{Backdrop, Ramps},
 };
@@ -28,6 +31,7 @@ pub struct Player {
     pub(crate) objects: Vec<PlayedObject>,
     pub(crate) puffs: PuffScene,
     pub(crate) meshes: MeshScene,
+    pub(crate) surfaces: SurfaceScene,
     geometry: Geometry,
     pub(crate) ramps: Ramps,
     pub(crate) backdrop: Backdrop,
@@ -69,6 +73,10 @@ impl PlayedMatter {
             Self::Model(_) => 0,
         }
     }
+
+    fn is_model(&self) -> bool {
+        matches!(self, Self::Model(_))
+    }
 }
 
 impl Player {
@@ -82,28 +90,32 @@ impl Player {
         for (index, object) in (0..).zip(&scene.objects) {
             let matter = match &object.matter {
                 Matter::Mesh(mesh) => play_mesh(mesh, &object.style, &*assets, &mut geometry, &mut notes)?,
-                _ => {
-                    geometry.add_nothing();
-                    play_matter(gpu, &scene, object, index, &*assets, first_frame, &mut notes)?
-                }
+                _ => play_matter(gpu, &scene, object, index, &*assets, first_frame, &mut notes)?,
             };
+            match plan(&scene, object, &matter) {
+                Some(plan) => geometry.add_surface(plan.room.vertices, plan.room.triangles),
+                None if matter.is_model() => {}
+                None => geometry.add_nothing(),
+            }
             let capacity = matter.count() as u32;
             let placement = Placement {
                 first: 0,
                 object: index,
                 first_variant: variants[index as usize],
-                variants: object.puffs.variants,
-                size: object.puffs.size,
+                // Particles of a surface are never drawn singly.
+                variants: object.shape.puffs().map_or(1, |puffs| puffs.variants),
+                size: object.shape.size(),
                 seed: seed_of(&scene, index),
             };
             objects.push(PlayedObject { matter, placement, capacity });
         }
         for (index, object) in scene.objects.iter().enumerate() {
-            if object.style.ink.method == InkMethod::Shell {
+            if ink_method(object) == InkMethod::Shell {
                 geometry.find_pushes(index);
             }
         }
         let puffs = place(gpu, &scene, &mut objects, atlas)?;
+        let surfaces = surfaces(gpu, &scene, &objects)?;
         let shells = Shells::new(&geometry, |object| {
             let object = &scene.objects[object as usize];
             object.visible && object.style.shadow.on && scene.lights.iter().any(|light| light.shadow)
@@ -112,7 +124,20 @@ impl Player {
         let ramps = load_ramps(gpu, &scene, &*assets)?;
         let backdrop = load_backdrop(gpu, &scene, &*assets)?;
         let (steps, shown) = (0, None);
-        Ok(Self { scene, assets, objects, puffs, meshes, geometry, ramps, backdrop, steps, shown, notes })
+        Ok(Self {
+            scene,
+            assets,
+            objects,
+            puffs,
+            meshes,
+            surfaces,
+            geometry,
+            ramps,
+            backdrop,
+            steps,
+            shown,
+            notes,
+        })
     }
 
     /// The scene that is played.
@@ -171,6 +196,7 @@ impl Player {
         if grown {
             let (_, atlas) = atlas(gpu, &self.scene)?;
             self.puffs = place(gpu, &self.scene, &mut self.objects, atlas)?;
+            self.surfaces = surfaces(gpu, &self.scene, &self.objects)?;
             self.upload_still(gpu);
         }
         self.upload_sequences(gpu);
@@ -228,11 +254,11 @@ fn atlas(gpu: &Gpu, scene: &Scene) -> Result<(Vec<u32>, Atlas), Error> {
     let mut kinds: Vec<Puffs> = Vec::new();
     let mut firsts = Vec::with_capacity(scene.objects.len());
     for object in &scene.objects {
-        if matches!(object.matter, Matter::Mesh(_)) {
+        let (Shape::Puffs(puffs), false) = (object.shape, matches!(object.matter, Matter::Mesh(_))) else {
             firsts.push(0);
             continue;
-        }
-        let puffs = Puffs { size: 1.0, ..object.puffs };
+        };
+        let puffs = Puffs { size: 1.0, ..puffs };
         let known = kinds.iter().position(|kind| *kind == puffs).unwrap_or_else(|| {
             kinds.push(puffs);
             kinds.len() - 1
@@ -315,7 +341,8 @@ fn place(gpu: &Gpu, scene: &Scene, objects: &mut [PlayedObject], atlas: Atlas) -
         played.placement.first = first;
         let range = first..first + played.capacity;
         first = range.end;
-        ranges.push(PuffObject { range, wants_form: object.visible && wants_form(&object.style) });
+        let has_puffs = object.visible && object.shape.puffs().is_some();
+        ranges.push(PuffObject { range, wants_form: has_puffs && wants_form(&object.style) });
     }
     Ok(PuffScene::new(gpu, atlas, ranges, size_of::<ObjectStyle>() as u64))
 }
@@ -323,6 +350,35 @@ fn place(gpu: &Gpu, scene: &Scene, objects: &mut [PlayedObject], atlas: Atlas) -
 /// Normals bend toward the form, and relief is what stands out from it.
 fn wants_form(style: &Style) -> bool {
     style.form > 0.0 || style.exaggerate.amount > 0.0
+}
+
+/// What an object's surface is made with, if that is its shape.
+fn plan(scene: &Scene, object: &Object, matter: &PlayedMatter) -> Option<SurfacePlan> {
+    let surface = object.shape.surface()?;
+    match (matter, &object.matter) {
+        (PlayedMatter::Still(particles), _) => Some(surface.plan(particles)),
+        (PlayedMatter::Sequence(_, particles), _) => Some(surface.plan_sequence(particles)),
+        (PlayedMatter::Smoke(_), Matter::Smoke(smoke)) => {
+            Some(surface.plan_smoke(smoke, scene.time.step_secs()))
+        }
+        _ => None,
+    }
+}
+
+/// All surfaces, of puffs that have their places.
+fn surfaces(gpu: &Gpu, scene: &Scene, objects: &[PlayedObject]) -> Result<SurfaceScene, Error> {
+    let mut surfaces = Vec::new();
+    for (object, played) in scene.objects.iter().zip(objects) {
+        if let (Some(surface), Some(plan)) = (object.shape.surface(), plan(scene, object, &played.matter)) {
+            let first = played.placement.first;
+            let (puffs, stands) =
+                (first..first + played.capacity, matches!(played.matter, PlayedMatter::Still(_)));
+            let surface = SurfaceObject { surface: *surface, plan, puffs, stands };
+            surface.check(gpu).map_err(|source| Error::Surface { object: object.name.clone(), source })?;
+            surfaces.push(surface);
+        }
+    }
+    Ok(SurfaceScene::new(gpu, &surfaces))
 }
 
 fn load_ramps(gpu: &Gpu, scene: &Scene, assets: &dyn Assets) -> Result<Ramps, Error> {

@@ -122,6 +122,16 @@ fn cumulus_looks_as_it_did() {
 }
 
 #[test]
+fn cloud_looks_as_it_did() {
+    check("cloud", 0);
+}
+
+#[test]
+fn genie_looks_as_it_did() {
+    check("genie", 96);
+}
+
+#[test]
 fn the_comparison_tells_pictures_apart() {
     let image = |grey: u8, odd: usize| {
         let mut pixels = vec![grey; 4 * 1000];

@@ -1,4 +1,4 @@
-use super::{At, Styles, mesh::mesh, puffs::puffs, smoke::smoke};
+use super::{At, Styles, mesh::mesh, shape::shape, smoke::smoke};
 use crate::file::{ObjectFile, ObjectKind, ParticlesFile};
 use crate::limits::{MAX_PARTICLES, PARTICLE_BYTES};
 use crate::{Matter, Object, Particle, Style};
@@ -19,7 +19,7 @@ pub(super) fn object(
         name: file.name.clone(),
         visible: file.visible,
         matter: matter(at, file),
-        puffs: puffs(&at.key("shape").key("puffs"), file.shape.as_ref()),
+        shape: shape(&at.key("shape"), file.shape.as_ref()),
         style,
         opacity: file.opacity,
     };

@@ -1,7 +1,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{EmitterFile, ForceFile, OneOrMany, StyleFile, TransformFile, UpFile};
+use super::{EmitterFile, ForceFile, OneOrMany, StyleFile, SurfaceFile, TransformFile, UpFile};
 use crate::limits;
 
 /// A thing in the scene: matter, its shape, and how it is drawn.
@@ -98,6 +98,8 @@ fn mass() -> f32 {
 pub enum ShapeFile {
     /// Every particle is a billboard of one of a few pre-rendered bundles of balls.
     Puffs(PuffsFile),
+    /// All particles together become one closed skin.
+    Surface(SurfaceFile),
 }
 
 /// Bundles of balls.

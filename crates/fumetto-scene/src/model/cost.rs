@@ -1,7 +1,7 @@
 //! What a scene will cost, told before anything is allocated.
 
 use crate::limits::PARTICLE_BYTES;
-use crate::{Emitter, Matter, Object, Scene, Time};
+use crate::{Emitter, Matter, Object, Scene, SurfaceRoom, Time};
 
 /// What one object will need.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -12,6 +12,8 @@ pub struct ObjectCost {
     pub particles: Option<u64>,
     /// Bytes of simulation state for them.
     pub state_bytes: Option<u64>,
+    /// Room for its surface; `None` where it has none, and where only a particle file tells.
+    pub surface: Option<SurfaceRoom>,
 }
 
 impl Scene {
@@ -22,7 +24,8 @@ impl Scene {
         let cost = |object: &Object| {
             let particles = object.capacity(step_secs);
             let state_bytes = particles.map(|particles| particles.saturating_mul(PARTICLE_BYTES));
-            ObjectCost { name: object.name.clone(), particles, state_bytes }
+            let surface = object.surface_room(step_secs);
+            ObjectCost { name: object.name.clone(), particles, state_bytes, surface }
         };
         self.objects.iter().map(cost).collect()
     }
@@ -49,6 +52,17 @@ impl Object {
                 let capacities = smoke.emitters.iter().map(|emitter| emitter.capacity(step_secs));
                 Some(capacities.fold(0, u64::saturating_add))
             }
+        }
+    }
+}
+
+impl Object {
+    fn surface_room(&self, step_secs: f64) -> Option<SurfaceRoom> {
+        let surface = self.shape.surface()?;
+        match &self.matter {
+            Matter::Still(particles) => Some(surface.plan(particles).room),
+            Matter::Smoke(smoke) => Some(surface.plan_smoke(smoke, step_secs).room),
+            Matter::File(_) | Matter::Mesh(_) => None,
         }
     }
 }

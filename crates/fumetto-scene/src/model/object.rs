@@ -1,4 +1,4 @@
-use crate::{Mesh, Particle, Puffs, Smoke, Style};
+use crate::{Mesh, Particle, Shape, Smoke, Style};
 
 /// A thing in the scene: matter, its shape, and how it is drawn.
 #[derive(Clone, Debug, PartialEq)]
@@ -10,7 +10,7 @@ pub struct Object {
     /// What it is made of.
     pub matter: Matter,
     /// How its particles get a shape.
-    pub puffs: Puffs,
+    pub shape: Shape,
     /// How it is drawn: the scene's style with the object's changes.
     pub style: Style,
     /// Flat transparency of the whole object, from 0 to 1 (opaque).

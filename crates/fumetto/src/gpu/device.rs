@@ -64,12 +64,17 @@ impl Gpu {
     }
 }
 
-/// Workgroups that cover `items`.
+/// Workgroups that cover `items`, in rows as [`folded`] tells.
+pub(crate) fn workgroups(items: u32) -> [u32; 3] {
+    folded(items.div_ceil(WORKGROUP))
+}
+
+/// As many workgroups, or a few more.
 ///
 /// Beyond the 65,535 that `WebGPU` allows along one axis they fold into rows; kernels get their item from
 /// `row * columns + column`.
-pub(crate) fn workgroups(items: u32) -> [u32; 3] {
-    let groups = items.div_ceil(WORKGROUP).max(1);
+pub(crate) fn folded(groups: u32) -> [u32; 3] {
+    let groups = groups.max(1);
     let rows = groups.div_ceil(65_535);
     [groups.div_ceil(rows), rows, 1]
 }

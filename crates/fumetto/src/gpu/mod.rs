@@ -19,7 +19,7 @@ pub(crate) use readback::read_buffer;
 pub use readback::read_texture;
 
 pub(crate) use compact::{Compact, DrawList, Listing};
-pub(crate) use device::{linear_sampler, workgroups};
+pub(crate) use device::{folded, linear_sampler, workgroups};
 pub(crate) use kernels::{Slot, kernels};
 pub(crate) use pass::{Frame, RasterPipeline, Target};
 pub(crate) use pool::{TexturePool, Transient};

@@ -6,13 +6,13 @@ fn lattice_gradient(cell: vec3i, seed: u32) -> vec3f {
     return vec3f(vec3u(key, key >> 1u, key >> 2u) & vec3u(1u)) * 2.0 - 1.0;
 }
 
-// The gradient of Perlin noise at `p`, lattice spacing 1.
-fn noise_gradient(p: vec3f, seed: u32) -> vec3f {
+// Perlin noise at `p`, lattice spacing 1: its gradient, then its value, which is within ±1.5.
+fn noise(p: vec3f, seed: u32) -> vec4f {
     let cell = vec3i(floor(p));
     let w = p - floor(p);
     let u = w * w * w * (w * (w * 6.0 - 15.0) + 10.0);
     let du = 30.0 * w * w * (w * (w - 2.0) + 1.0);
-    var result = vec3f(0.0);
+    var result = vec4f(0.0);
     for (var corner = 0u; corner < 8u; corner++) {
         let at = vec3u(corner, corner >> 1u, corner >> 2u) & vec3u(1u);
         let offset = vec3f(at);
@@ -20,8 +20,13 @@ fn noise_gradient(p: vec3f, seed: u32) -> vec3f {
         let value = dot(gradient, w - offset);
         let weight = select(1.0 - u, u, at == vec3u(1u));
         let slope = select(-du, du, at == vec3u(1u));
-        result += gradient * (weight.x * weight.y * weight.z)
-            + value * slope * weight.yzx * weight.zxy;
+        let share = weight.x * weight.y * weight.z;
+        result += vec4f(gradient * share + value * slope * weight.yzx * weight.zxy, value * share);
     }
     return result;
+}
+
+// The gradient of Perlin noise at `p`, lattice spacing 1.
+fn noise_gradient(p: vec3f, seed: u32) -> vec3f {
+    return noise(p, seed).xyz;
 }

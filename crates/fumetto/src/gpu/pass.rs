@@ -103,13 +103,34 @@ impl<'a> Frame<'a> {
         bindings: &[wgpu::BindingResource<'_>],
         groups: [u32; 3],
     ) {
+        let mut pass = self.begin_compute(label, pipeline, bindings);
+        pass.dispatch_workgroups(groups[0], groups[1], groups[2]);
+    }
+
+    /// Runs a kernel with as many workgroups as the buffer `groups` says.
+    pub(crate) fn compute_indirect(
+        &mut self,
+        label: &str,
+        pipeline: &wgpu::ComputePipeline,
+        bindings: &[wgpu::BindingResource<'_>],
+        groups: &wgpu::Buffer,
+    ) {
+        self.begin_compute(label, pipeline, bindings).dispatch_workgroups_indirect(groups, 0);
+    }
+
+    fn begin_compute(
+        &mut self,
+        label: &str,
+        pipeline: &wgpu::ComputePipeline,
+        bindings: &[wgpu::BindingResource<'_>],
+    ) -> wgpu::ComputePass<'_> {
         let group = bind(&self.gpu.device, label, &pipeline.get_bind_group_layout(0), bindings);
         let mut pass = self
             .encoder
             .begin_compute_pass(&wgpu::ComputePassDescriptor { label: Some(label), timestamp_writes: None });
         pass.set_pipeline(pipeline);
         pass.set_bind_group(0, &group, &[]);
-        pass.dispatch_workgroups(groups[0], groups[1], groups[2]);
+        pass
     }
 
     /// Clears a target and draws nothing.

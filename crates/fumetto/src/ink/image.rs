@@ -41,7 +41,7 @@ impl Image {
         layers: &Layers,
         ink: &Transient,
     ) {
-        let meets = methods.hybrid && subject.meshes.vertex_count > 0;
+        let meets = methods.hybrid && !subject.meshes.is_empty();
         if !methods.image && !meets {
             return;
         }

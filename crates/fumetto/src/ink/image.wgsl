@@ -77,7 +77,9 @@ fn seen_at(id: u32, px: vec2i) -> Seen {
     let a = vertices[triangle.corners.x].position;
     let across = cross(vertices[triangle.corners.y].position - a, vertices[triangle.corners.z].position - a);
     let normal = across * (-sign(dot(across, ray)) * inverseSqrt(max(dot(across, across), 1e-30)));
-    return Seen(id, part.object, pieces[number], part.material, place, distance, normal, 0.0, 1.0);
+    // A surface that the device makes is one piece.
+    let piece = select(pieces[number], TRIANGLE_BIT | triangle.part, (part.look & NO_SOURCES) != 0u);
+    return Seen(id, part.object, piece, part.material, place, distance, normal, 0.0, 1.0);
 }
 
 fn draws(object: u32, kind: u32) -> bool {

@@ -2,6 +2,8 @@
 
 use fumetto_scene::{EdgeKind, InkMethod, Object, Width};
 
+use crate::object::ink_method;
+
 /// The widest line that the picture itself is looked through for, as a share of the picture's height, where
 /// widths are in metres: how near the viewer comes to a surface is not known beforehand.
 const WIDEST: f32 = 0.125;
@@ -30,7 +32,7 @@ impl Methods {
             if !style.ink.on {
                 continue;
             }
-            match style.ink.method {
+            match ink_method(&objects[member]) {
                 InkMethod::Angle => methods.angle = true,
                 InkMethod::Shell => methods.shells.push(member),
                 InkMethod::Image => methods.image = true,

@@ -16,4 +16,5 @@ mod occlusion;
 mod shadings;
 mod shadows;
 mod stage;
+mod surfaces;
 mod time;

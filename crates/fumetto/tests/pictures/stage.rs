@@ -83,7 +83,16 @@ impl Stage {
     }
 
     /// Adds a cloud of `[x, y, z, radius]` particles.
-    pub(crate) fn cloud(mut self, name: &str, puffs: &[[f32; 4]], shape: &str, more: &str) -> Self {
+    pub(crate) fn cloud(self, name: &str, particles: &[[f32; 4]], shape: &str, more: &str) -> Self {
+        self.shaped(name, particles, &format!("puffs = {{ {shape} }}"), more)
+    }
+
+    /// Adds a surface round `[x, y, z, radius]` particles.
+    pub(crate) fn surface(self, name: &str, particles: &[[f32; 4]], shape: &str, more: &str) -> Self {
+        self.shaped(name, particles, &format!("surface = {{ {shape} }}"), more)
+    }
+
+    fn shaped(mut self, name: &str, puffs: &[[f32; 4]], shape: &str, more: &str) -> Self {
         let list: Vec<_> = puffs
             .iter()
             .map(|[x, y, z, radius]| format!("{{ center = [{x}, {y}, {z}], radius = {radius} }}"))
@@ -91,7 +100,7 @@ impl Stage {
         let list = list.join(", ");
         write!(
             self.objects,
-            "[[object]]\nname = \"{name}\"\nkind = \"cloud\"\nshape = {{ puffs = {{ {shape} }} }}\n\
+            "[[object]]\nname = \"{name}\"\nkind = \"cloud\"\nshape = {{ {shape} }}\n\
              particles = [{list}]\n{more}\n"
         )
         .unwrap();

@@ -3,7 +3,7 @@
 use fumetto_scene::{Matter, Object, Ramp, Scene, Shading, Style};
 use serde_json::{Value, json};
 
-use super::{Load, background, bytes, duration_secs, hex, light_kind, sum};
+use super::{Load, background, duration_secs, hex, light_kind, sum};
 
 /// What is in the scene `name`, and what its objects hold.
 pub(super) fn of(name: &str, scene: &Scene, loads: &[Load]) -> Value {
@@ -29,7 +29,7 @@ pub(super) fn of(name: &str, scene: &Scene, loads: &[Load]) -> Value {
         "objects": objects,
         "particles": sum(loads).particles,
         "triangles": sum(loads).triangles,
-        "bytes": bytes(sum(loads).particles),
+        "bytes": sum(loads).bytes,
     })
 }
 
@@ -49,7 +49,8 @@ fn object_json(object: &Object, load: &Load) -> Value {
         "file": file,
         "particles": load.particles,
         "triangles": load.triangles,
-        "bytes": bytes(load.particles),
+        "surface": load.surface.map(|room| json!({ "triangles": room.triangles, "bytes": room.bytes() })),
+        "bytes": load.bytes(),
         "style": style_json(&object.style),
     })
 }

@@ -7,9 +7,9 @@ use std::process::ExitCode;
 
 use anyhow::Context as _;
 use fumetto::Assets as _;
-use fumetto_formats::{ModelOptions, read_model, read_particles, sequence_path};
+use fumetto_formats::{ModelOptions, is_sequence, read_model, read_particles, sequence_path};
 use fumetto_scene::limits::PARTICLE_BYTES;
-use fumetto_scene::{Background, Light, LightKind, Matter, Scene};
+use fumetto_scene::{Background, Light, LightKind, Matter, Object, Particle, Scene, SurfaceRoom};
 
 use crate::args::InfoArgs;
 use crate::console;
@@ -36,6 +36,22 @@ struct Load {
     particles: u64,
     /// Copies counted singly.
     triangles: u64,
+    /// Room for a surface round the particles.
+    surface: Option<SurfaceRoom>,
+}
+
+impl Load {
+    fn of_file(object: &Object, path: &str, particles: &[Particle]) -> Self {
+        let plan = object.shape.surface().map(|surface| {
+            if is_sequence(path) { surface.plan_sequence(particles) } else { surface.plan(particles) }
+        });
+        Self { particles: particles.len() as u64, triangles: 0, surface: plan.map(|plan| plan.room) }
+    }
+
+    fn bytes(&self) -> u64 {
+        let surface = self.surface.map_or(0, |room| room.bytes());
+        self.particles.saturating_mul(PARTICLE_BYTES).saturating_add(surface)
+    }
 }
 
 /// What each object holds.
@@ -43,25 +59,22 @@ fn loads(scene: &Scene, folder: &SceneFolder) -> anyhow::Result<Vec<Load>> {
     let read = |path: &str| folder.read(path).with_context(|| format!("cannot read `{path}`"));
     let loads = scene.objects.iter().zip(scene.requirements()).map(|(object, cost)| match &object.matter {
         Matter::File(path) => {
-            let path = sequence_path(path, scene.time.frames[0]);
-            let particles = read_particles(&path, &read(&path)?)?.particles.len() as u64;
-            Ok(Load { particles, triangles: 0 })
+            let first = sequence_path(path, scene.time.frames[0]);
+            Ok(Load::of_file(object, path, &read_particles(&first, &read(&first)?)?.particles))
         }
         Matter::Mesh(mesh) => {
             let options = ModelOptions { smooth_degrees: mesh.smooth_deg };
             let bytes = read(&mesh.model)?;
             let model = read_model(&mesh.model, &bytes, options, &mut |beside| folder.read(beside))?;
-            Ok(Load { particles: 0, triangles: model.triangle_count() * mesh.copies.len() as u64 })
+            let triangles = model.triangle_count() * mesh.copies.len() as u64;
+            Ok(Load { triangles, ..Load::default() })
         }
         Matter::Still(_) | Matter::Smoke(_) => {
-            Ok(Load { particles: cost.particles.unwrap_or_default(), triangles: 0 })
+            let particles = cost.particles.unwrap_or_default();
+            Ok(Load { particles, triangles: 0, surface: cost.surface })
         }
     });
     loads.collect()
-}
-
-fn bytes(particles: u64) -> u64 {
-    particles.saturating_mul(PARTICLE_BYTES)
 }
 
 fn duration_secs(scene: &Scene) -> f64 {
@@ -69,12 +82,20 @@ fn duration_secs(scene: &Scene) -> f64 {
     (f64::from(last - first) + 1.0) / f64::from(scene.time.fps)
 }
 
-/// All objects together.
-fn sum(loads: &[Load]) -> Load {
-    loads.iter().fold(Load::default(), |sum, load| Load {
-        particles: sum.particles.saturating_add(load.particles),
-        triangles: sum.triangles.saturating_add(load.triangles),
-    })
+/// Of all objects together.
+struct Sum {
+    particles: u64,
+    triangles: u64,
+    bytes: u64,
+}
+
+fn sum(loads: &[Load]) -> Sum {
+    let sum = |of: fn(&Load) -> u64| loads.iter().map(of).fold(0, u64::saturating_add);
+    Sum {
+        particles: sum(|load| load.particles),
+        triangles: sum(|load| load.triangles),
+        bytes: sum(Load::bytes),
+    }
 }
 
 fn light_kind(light: &Light) -> &'static str {

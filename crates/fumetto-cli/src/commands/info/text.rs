@@ -1,10 +1,11 @@
 //! For people.
 
 use fumetto_formats::is_sequence;
-use fumetto_scene::{Light, Matter, Object, Ramp, Scene, Style, Width};
+use fumetto_scene::limits::PARTICLE_BYTES;
+use fumetto_scene::{Light, Matter, Object, Ramp, Scene, Style, SurfaceRoom, Width};
 use indicatif::{BinaryBytes, HumanCount};
 
-use super::{Load, background, bytes, duration_secs, hex, light_kind, sum};
+use super::{Load, background, duration_secs, hex, light_kind, sum};
 
 /// What is in the scene `name`, and what its objects hold.
 pub(super) fn of(name: &str, scene: &Scene, loads: &[Load]) -> String {
@@ -30,21 +31,30 @@ pub(super) fn of(name: &str, scene: &Scene, loads: &[Load]) -> String {
             if object.visible { "" } else { ", hidden" }
         ));
         lines.push(load_words(&load));
+        lines.extend(load.surface.as_ref().map(surface_words));
         lines.push(format!("    style     {}", style_words(&object.style)));
     }
-    lines.push(format!("  in all      {}", cost(sum(loads).particles)));
+    let sum = sum(loads);
+    lines.push(format!("  in all      {}", cost(sum.particles, sum.bytes)));
     lines.join("\n")
 }
 
 fn load_words(load: &Load) -> String {
     match load {
-        Load { triangles: 0, particles } => format!("    particles {}", cost(*particles)),
+        Load { triangles: 0, particles, .. } => {
+            format!("    particles {}", cost(*particles, particles.saturating_mul(PARTICLE_BYTES)))
+        }
         Load { triangles, .. } => format!("    triangles {}", HumanCount(*triangles)),
     }
 }
 
-fn cost(particles: u64) -> String {
-    format!("at most {} at once, {} on the GPU", HumanCount(particles), BinaryBytes(bytes(particles)))
+fn surface_words(room: &SurfaceRoom) -> String {
+    let (triangles, bytes) = (HumanCount(room.triangles.into()), BinaryBytes(room.bytes()));
+    format!("    surface   at most {triangles} triangles, {bytes} on the GPU")
+}
+
+fn cost(particles: u64, bytes: u64) -> String {
+    format!("at most {} at once, {} on the GPU", HumanCount(particles), BinaryBytes(bytes))
 }
 
 fn counted(number: u32, what: &str) -> String {

@@ -39,7 +39,8 @@ impl Body {
     ) {
         let meshes = subject.meshes;
         let ranges = || members.iter().map(|&member| meshes.objects[member].clone());
-        if ranges().all(|range| range.is_empty()) {
+        let counted = || meshes.reserved.iter().filter(|reserved| members.contains(&reserved.object));
+        if ranges().all(|range| range.is_empty()) && counted().next().is_none() {
             return;
         }
         frame.raster(
@@ -58,6 +59,9 @@ impl Body {
             |pass| {
                 for range in ranges() {
                     pass.draw(3 * range.start..3 * range.end, 0..1);
+                }
+                for reserved in counted() {
+                    pass.draw_indirect(&reserved.counters, 0);
                 }
             },
         );

@@ -11,6 +11,7 @@ use half::f16;
 use super::{
     pieces::{pieces, weld},
     push::{Push, pushes},
+    reserved::Reservation,
     smooth::MAX_SCALES,
 };
 
@@ -47,6 +48,7 @@ pub(crate) struct Part {
 }
 
 pub(super) const DOUBLE_SIDED: u32 = 16;
+const NO_SOURCES: u32 = 32;
 
 /// All models of a scene, copies counted singly.
 #[derive(Debug, Default)]
@@ -65,6 +67,8 @@ pub(crate) struct Geometry {
     pub(crate) textures: Vec<Image>,
     /// Each object's triangles, by its number.
     pub(crate) objects: Vec<Range<u32>>,
+    /// Room for triangles that the device makes, in the objects' order.
+    pub(crate) reservations: Vec<Reservation>,
     /// Whether a texture cuts holes into any of them.
     pub(crate) has_holes: bool,
     materials: u32,
@@ -75,6 +79,24 @@ impl Geometry {
     pub(crate) fn add_nothing(&mut self) {
         let end = self.triangles.len() as u32;
         self.objects.push(end..end);
+    }
+
+    /// Adds the next object: a surface that the device makes, of at most so many vertices and triangles.
+    pub(crate) fn add_surface(&mut self, vertices: u32, triangles: u32) {
+        let part = self.parts.len() as u32;
+        let object = self.objects.len();
+        self.reservations.push(Reservation { object, part, vertices, triangles });
+        self.groups.push(self.parts.len());
+        self.parts.push(Part {
+            world_from_part: Mat4::IDENTITY,
+            colour: [1.0; 4],
+            object: object as u32,
+            material: self.materials,
+            texture: -1,
+            look: NO_SOURCES,
+        });
+        self.materials += 1;
+        self.add_nothing();
     }
 
     /// Adds the next object: the copies of `mesh`, which `model` holds. Answers with its parts.

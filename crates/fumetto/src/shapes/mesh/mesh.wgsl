@@ -35,12 +35,14 @@ struct Part {
     // Layer of the texture array, or -1.
     texture: i32,
     // How the texture goes on beyond its sides, along u in bits 0..2 and along v in bits 2..4: 0 repeats,
-    // 1 mirrors, 2 stretches its edge. Bit 4: is seen from behind, too. In bits 16..32, as a fraction of
-    // 65535: the alpha under which there is no surface.
+    // 1 mirrors, 2 stretches its edge. Bit 4: is seen from behind, too. Bit 5: its vertices have no source,
+    // and it is of the part's colour all over. In bits 16..32, as a fraction of 65535: the alpha under which
+    // there is no surface.
     look: u32,
 }
 
 const DOUBLE_SIDED: u32 = 16u;
+const NO_SOURCES: u32 = 32u;
 
 // Numbers in the id layer with this bit are of triangles.
 const TRIANGLE_BIT: u32 = 0x80000000u;

@@ -8,6 +8,7 @@ mod near;
 mod pieces;
 mod place;
 mod push;
+mod reserved;
 mod scene;
 mod shells;
 mod smooth;
@@ -21,5 +22,9 @@ pub(crate) use edges::candidates;
 pub(crate) use edges::{Candidate, bit};
 pub(crate) use geometry::Geometry;
 pub(crate) use place::Place;
+pub(crate) use reserved::Reserved;
 pub(crate) use scene::{Casters, MeshError, MeshScene};
 pub(crate) use shells::Shells;
+
+/// Bytes of a `Vertex` of `mesh.wgsl`.
+const VERTEX_BYTES: u64 = 16;

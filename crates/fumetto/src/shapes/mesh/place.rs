@@ -18,7 +18,7 @@ impl Place {
 
     /// Brings the vertices to where the parts now are.
     pub(crate) fn record(&self, frame: &mut Frame<'_>, meshes: &MeshScene) {
-        if meshes.vertex_count == 0 {
+        if meshes.source_count == 0 {
             return;
         }
         frame.compute(
@@ -29,7 +29,7 @@ impl Place {
                 meshes.parts.as_entire_binding(),
                 meshes.vertices.as_entire_binding(),
             ],
-            workgroups(meshes.vertex_count),
+            workgroups(meshes.source_count),
         );
     }
 }

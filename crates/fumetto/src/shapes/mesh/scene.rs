@@ -1,26 +1,26 @@
 use std::ops::Range;
 
 use super::{
+    VERTEX_BYTES,
     edge_scene::EdgeScene,
     edges::Candidate,
     geometry::{Geometry, Part, Source, Triangle},
     push::Push,
+    reserved::{Reserved, places},
     shells::{Edge, Shells},
     textures::textures,
 };
 use crate::gpu::Gpu;
-
-/// Bytes of a `Vertex` of `mesh.wgsl`.
-const VERTEX_BYTES: u64 = 16;
 
 /// All models of a scene on the device.
 #[derive(Debug)]
 pub(crate) struct MeshScene {
     /// `Source`s of `mesh.wgsl`.
     pub(crate) sources: wgpu::Buffer,
-    /// `Vertex`s of `mesh.wgsl`, one for each source.
+    /// `Vertex`s of `mesh.wgsl`: one for each source, and those that the device makes.
     pub(crate) vertices: wgpu::Buffer,
-    pub(crate) vertex_count: u32,
+    /// Sources.
+    pub(crate) source_count: u32,
     /// For each of the first sources, its normal smoothed more and more; of an object that wants none,
     /// whatever.
     pub(crate) smoothed: wgpu::Buffer,
@@ -39,6 +39,8 @@ pub(crate) struct MeshScene {
     pub(crate) edges: EdgeScene,
     /// Each object's triangles, by its number.
     pub(crate) objects: Vec<Range<u32>>,
+    /// Room for triangles that the device makes, in their objects' order.
+    pub(crate) reserved: Vec<Reserved>,
     /// Whether a texture cuts holes into any of them.
     pub(crate) has_holes: bool,
     /// What throws shadows, if anything does.
@@ -65,8 +67,8 @@ pub(crate) struct Casters {
 /// A model is too large for the device.
 #[derive(Debug, thiserror::Error)]
 #[error(
-    "the models have {what} for {asked} bytes; this device allows {allowed} in one piece. Simplify them or \
-     leave copies out"
+    "models and surfaces have {what} for {asked} bytes; this device allows {allowed} in one piece. Simplify models, \
+     leave copies out, or choose fewer subdivisions"
 )]
 pub struct MeshError {
     what: &'static str,
@@ -83,18 +85,28 @@ impl MeshScene {
         candidates: &[Candidate],
     ) -> Result<Self, MeshError> {
         let Geometry { sources, triangles, parts, smoothed, pieces, pushes, .. } = geometry;
-        let source_bytes = room(gpu, "vertices", sources.len(), size_of::<Source>())?;
-        let triangle_bytes = room(gpu, "triangles", triangles.len(), size_of::<Triangle>())?;
-        room(gpu, "places for lines", candidates.len(), size_of::<Candidate>())?;
-        let part_bytes = room(gpu, "parts", parts.len(), size_of::<Part>())?;
+        let ends = [sources.len() as u64, triangles.len() as u64];
+        let (places, [vertex_count, triangle_count]) = places(&geometry.reservations, ends);
+        let source_bytes = room(gpu, "vertices", ends[0], size_of::<Source>())?;
+        let vertex_bytes = room(gpu, "vertices", vertex_count, VERTEX_BYTES as usize)?;
+        let triangle_bytes = room(gpu, "triangles", triangle_count, size_of::<Triangle>())?;
+        room(gpu, "places for lines", candidates.len() as u64, size_of::<Candidate>())?;
+        let part_bytes = room(gpu, "parts", parts.len() as u64, size_of::<Part>())?;
         let buffer = |label, size| buffer(gpu, label, size);
         let (textures, sampler) = textures(gpu, &geometry.textures);
+        let vertices = buffer("shapes.mesh.vertices", vertex_bytes);
+        let triangle_list = buffer("shapes.mesh.triangles", triangle_bytes);
+        let reserved = geometry.reservations.iter().zip(places).map(|(reservation, firsts)| {
+            let firsts = firsts.map(|first| first as u32);
+            Reserved::new(gpu, reservation, firsts, [&vertices, &triangle_list])
+        });
         let scene = Self {
+            reserved: reserved.collect(),
             sources: buffer("shapes.mesh.sources", source_bytes),
-            vertices: buffer("shapes.mesh.vertices", sources.len().max(1) as u64 * VERTEX_BYTES),
+            vertices,
+            source_count: sources.len() as u32,
             smoothed: buffer("shapes.mesh.smoothed", size_of_val(&smoothed[..]).max(4) as u64),
-            vertex_count: sources.len() as u32,
-            triangles: buffer("shapes.mesh.triangles", triangle_bytes),
+            triangles: triangle_list,
             parts: buffer("shapes.mesh.parts", part_bytes),
             pieces: buffer("shapes.mesh.pieces", size_of_val(&pieces[..]).max(4) as u64),
             pushes: buffer("shapes.mesh.pushes", size_of_val(&pushes[..]).max(size_of::<Push>()) as u64),
@@ -114,6 +126,11 @@ impl MeshScene {
         Ok(scene)
     }
 
+    /// Whether there is nothing to draw.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.source_count == 0 && self.reserved.is_empty()
+    }
+
     /// Tells the device where the parts now are.
     pub(crate) fn upload_parts(&self, gpu: &Gpu, parts: &[Part]) {
         gpu.queue.write_buffer(&self.parts, 0, bytemuck::cast_slice(parts));
@@ -126,7 +143,7 @@ impl Casters {
         if edges.is_empty() {
             return Ok(None);
         }
-        let edge_bytes = room(gpu, "edges that throw shadows", edges.len(), size_of::<Edge>())?;
+        let edge_bytes = room(gpu, "edges that throw shadows", edges.len() as u64, size_of::<Edge>())?;
         let word = |label, count: usize| buffer(gpu, label, 4 * count as u64);
         let casters = Self {
             triangle_count: casting.len() as u32,
@@ -145,8 +162,8 @@ impl Casters {
 }
 
 /// Bytes for so many items, unless they are more than the device allows.
-fn room(gpu: &Gpu, what: &'static str, items: usize, bytes: usize) -> Result<u64, MeshError> {
-    let asked = items.max(1) as u64 * bytes as u64;
+fn room(gpu: &Gpu, what: &'static str, items: u64, bytes: usize) -> Result<u64, MeshError> {
+    let asked = items.max(1) * bytes as u64;
     let allowed = gpu.device.limits().max_storage_buffer_binding_size;
     if asked > allowed { Err(MeshError { what, asked, allowed }) } else { Ok(asked) }
 }
@@ -155,7 +172,7 @@ fn buffer(gpu: &Gpu, label: &'static str, size: u64) -> wgpu::Buffer {
     gpu.device.create_buffer(&wgpu::BufferDescriptor {
         label: Some(label),
         size,
-        usage: wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST,
+        usage: wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::COPY_SRC,
         mapped_at_creation: false,
     })
 }

@@ -49,6 +49,9 @@ fn mesh_surface(number: u32, px: vec2f) -> MeshSurface {
     let behind = dot(cross(b.position - a.position, c.position - a.position), ray) > 0.0;
     let side = select(1.0, -1.0, behind);
     let normal = normalize(normals * weights) * side;
+    if (part.look & NO_SOURCES) != 0u {
+        return MeshSurface(normal, part.colour, triangle.part, corners, weights, side);
+    }
     let sources_of = array(sources[corners.x], sources[corners.y], sources[corners.z]);
     let colours = mat3x4f(source_colour(sources_of[0]), source_colour(sources_of[1]), source_colour(sources_of[2]));
     var colour = part.colour * (colours * weights);

@@ -1,0 +1,61 @@
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::limits;
+
+/// One closed skin round all particles: where their densities add up to the threshold.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq, Serialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct SurfaceFile {
+    /// The density at which the surface lies, above 0. A particle's density is its mass in its middle and
+    /// falls to 0 at its radius. Default 0.05.
+    #[schemars(transform = &limits::MASS)]
+    pub threshold: f32,
+    /// How many cells the surface is sampled with along the object's longest side, 1 to 512. Default 48.
+    #[schemars(transform = &limits::SUBDIVISIONS)]
+    pub subdivisions: Option<u32>,
+    /// In place of `subdivisions`: the side of a cell in metres, above 0.
+    #[schemars(transform = &limits::LENGTH)]
+    pub cell: Option<f32>,
+    /// In place of `subdivisions`: cells to a particle's mean radius, above 0.
+    #[schemars(transform = &limits::PER_RADIUS)]
+    pub per_radius: Option<f32>,
+    /// Multiplies the particles' radii, above 0. Default 1.
+    #[schemars(transform = &limits::SCALE)]
+    pub size: f32,
+    /// Noise that roughens the surface. Default: none.
+    pub noise: Option<NoiseFile>,
+}
+
+impl Default for SurfaceFile {
+    fn default() -> Self {
+        Self { threshold: 0.05, subdivisions: None, cell: None, per_radius: None, size: 1.0, noise: None }
+    }
+}
+
+/// Noise that is added to the density, fixed in the world.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq, Serialize)]
+#[serde(deny_unknown_fields)]
+pub struct NoiseFile {
+    /// The most that it adds or takes away, in thresholds, 0 to 100.
+    #[schemars(transform = &limits::AMPLITUDE)]
+    pub amplitude: f32,
+    /// Size of the largest bumps in metres, above 0.
+    #[schemars(transform = &limits::LENGTH)]
+    pub size: f32,
+    /// Each octave has half the size and half the strength of the one before; 1 to 6. Default 3.
+    #[serde(default = "octaves")]
+    #[schemars(transform = &limits::OCTAVES)]
+    pub octaves: u32,
+    /// What it is made from. Default 1.
+    #[serde(default = "seed")]
+    pub seed: u32,
+}
+
+fn octaves() -> u32 {
+    3
+}
+
+fn seed() -> u32 {
+    1
+}

@@ -1,0 +1,39 @@
+use crate::{Puffs, Surface};
+
+/// How particles get a shape.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Shape {
+    /// Every particle is a billboard of its own.
+    Puffs(Puffs),
+    /// All particles together have one skin.
+    Surface(Surface),
+}
+
+impl Shape {
+    /// The drawn radius over the particle's radius.
+    #[must_use]
+    pub fn size(&self) -> f32 {
+        match self {
+            Self::Puffs(puffs) => puffs.size,
+            Self::Surface(surface) => surface.size,
+        }
+    }
+
+    /// The puffs, if it is these.
+    #[must_use]
+    pub fn puffs(&self) -> Option<&Puffs> {
+        match self {
+            Self::Puffs(puffs) => Some(puffs),
+            Self::Surface(_) => None,
+        }
+    }
+
+    /// The surface, if it is one.
+    #[must_use]
+    pub fn surface(&self) -> Option<&Surface> {
+        match self {
+            Self::Surface(surface) => Some(surface),
+            Self::Puffs(_) => None,
+        }
+    }
+}

@@ -1,0 +1,36 @@
+/// Álvarez's implicit surface: one closed skin round all particles.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Surface {
+    /// The density at which it lies; above zero.
+    pub threshold: f32,
+    /// How finely it is sampled.
+    pub resolution: Resolution,
+    /// Multiplies the particles' radii; above zero.
+    pub size: f32,
+    /// What roughens it.
+    pub noise: Option<Noise>,
+}
+
+/// How finely a surface is sampled.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Resolution {
+    /// Cells along the object's longest side, 1 to 512.
+    Subdivisions(u32),
+    /// The side of a cell in metres; above zero.
+    Cell(f32),
+    /// Cells to the mean radius of the particles; above zero.
+    PerRadius(f32),
+}
+
+/// Noise that is added to the density, fixed in the world.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Noise {
+    /// The most that it adds, in thresholds.
+    pub amplitude: f32,
+    /// Size of the first octave in metres; above zero.
+    pub size_m: f32,
+    /// Each has half the size and half the strength of the one before; 1 to 6.
+    pub octaves: u32,
+    /// What it is made from.
+    pub seed: u32,
+}

@@ -1,0 +1,200 @@
+//! How large a surface's cells are, and how much room it is given: asked for in advance, because nobody
+//! reads back how much it took.
+
+use std::f32::consts::PI;
+
+use crate::{Emitter, Particle, Resolution, Smoke, Surface};
+
+/// Cells along a block's side. Also in the engine's `lattice.wgsl`.
+const BLOCK: u64 = 4;
+/// Also in the engine's `lattice.wgsl`.
+const POINTS: u64 = BLOCK * BLOCK * BLOCK;
+/// A table of this many blocks is 16 MiB; cells that would need more are made larger.
+const MOST_BLOCKS: u64 = 1 << 22;
+/// Cells along the longest side that there is room for where nobody can tell how far particles go.
+const FAR_CELLS: u32 = 128;
+/// Of smoke, so many particles may be as wide as all of it is.
+const WIDE_PARTICLES: u64 = 64;
+/// Of many particles, so many may overlap everywhere.
+const OVERLAP: f32 = 8.0;
+
+/// What a surface is made with.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SurfacePlan {
+    /// How finely the density is sampled.
+    pub spacing: Spacing,
+    /// Room for what comes of it.
+    pub room: SurfaceRoom,
+}
+
+/// How finely the density is sampled.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Spacing {
+    /// The side of a cell, in metres.
+    Cell(f32),
+    /// Cells along the longest side of what there is at the moment. Cells come in steps of a quarter of an
+    /// octave, rounded up, so that they seldom change while smoke grows.
+    Subdivisions(f32),
+}
+
+/// Room for one surface.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct SurfaceRoom {
+    /// Particles that it is made of.
+    pub particles: u32,
+    /// Blocks of 4³ cells within the bounds. Where more would be needed, cells are made larger.
+    pub blocks: u32,
+    /// Particles on the lists of all blocks together. Likewise.
+    pub entries: u32,
+    /// Blocks that the surface may cross. What is beyond is left out, as are vertices and triangles.
+    pub active: u32,
+    /// Corners of triangles.
+    pub vertices: u32,
+    /// Triangles.
+    pub triangles: u32,
+}
+
+impl Surface {
+    /// For particles that stay as they are.
+    #[must_use]
+    pub fn plan(&self, particles: &[Particle]) -> SurfacePlan {
+        let longest_m = self.longest_m(particles);
+        let cell_m = match self.resolution {
+            Resolution::Subdivisions(cells) => longest_m / cells as f32,
+            Resolution::Cell(cell_m) => cell_m,
+            Resolution::PerRadius(cells) => self.mean_m(particles) / cells,
+        };
+        // Without any extent there is nothing to sample.
+        let cell_m = if cell_m > 0.0 { cell_m } else { 1.0 };
+        let cells = (longest_m / cell_m).ceil() as u32;
+        let radii = particles.iter().map(|particle| (1, particle.radius * self.size / cell_m));
+        SurfacePlan { spacing: Spacing::Cell(cell_m), room: SurfaceRoom::of(radii, cells) }
+    }
+
+    /// For particles of which every frame has others.
+    #[must_use]
+    pub fn plan_sequence(&self, particles: &[Particle]) -> SurfacePlan {
+        let largest_m = particles.iter().map(|particle| particle.radius).fold(0.0, f32::max) * self.size;
+        self.plan_moving(particles.len() as u64, self.mean_m(particles), largest_m)
+    }
+
+    /// For the most particles that `smoke` has at once, simulated in steps of `step_secs`.
+    #[must_use]
+    pub fn plan_smoke(&self, smoke: &Smoke, step_secs: f64) -> SurfacePlan {
+        let emitters = &smoke.emitters;
+        let count = emitters.iter().map(|emitter| emitter.capacity(step_secs)).fold(0, u64::saturating_add);
+        let largest = |emitter: &Emitter| emitter.radius[1] * emitter.radius_over_life.largest();
+        let mean = |emitter: &Emitter| {
+            0.5 * (emitter.radius[0] + emitter.radius[1]) * emitter.radius_over_life.mean()
+        };
+        let largest_m = emitters.iter().map(largest).fold(0.0, f32::max) * self.size;
+        let mean_m = emitters.iter().map(mean).sum::<f32>() / emitters.len().max(1) as f32 * self.size;
+        self.plan_moving(count, mean_m, largest_m)
+    }
+
+    fn plan_moving(&self, count: u64, mean_m: f32, largest_m: f32) -> SurfacePlan {
+        let of_cell = |cell_m: f32| {
+            let cell_m = if cell_m > 0.0 { cell_m } else { 1.0 };
+            let room = SurfaceRoom::of([(count, largest_m / cell_m)], FAR_CELLS);
+            SurfacePlan { spacing: Spacing::Cell(cell_m), room }
+        };
+        match self.resolution {
+            Resolution::Cell(cell_m) => of_cell(cell_m),
+            Resolution::PerRadius(cells) => of_cell(mean_m / cells),
+            Resolution::Subdivisions(cells) => {
+                let wide = WIDE_PARTICLES.min(count);
+                // Balls that fill a cube of side 1 so many times.
+                let share = (OVERLAP * 0.75 / (PI * count.max(1) as f32)).cbrt().min(0.5);
+                let radii = [(wide, 0.5 * cells as f32), (count - wide, share * cells as f32)];
+                let room = SurfaceRoom::of(radii, cells);
+                SurfacePlan { spacing: Spacing::Subdivisions(cells as f32), room }
+            }
+        }
+    }
+
+    /// The longest side of the box around all particles.
+    fn longest_m(&self, particles: &[Particle]) -> f32 {
+        let side = |axis: usize| {
+            let ends = particles.iter().map(|particle| {
+                let radius_m = particle.radius * self.size;
+                [particle.center[axis] - radius_m, particle.center[axis] + radius_m]
+            });
+            ends.reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])]).map_or(0.0, |[low, high]| high - low)
+        };
+        side(0).max(side(1)).max(side(2))
+    }
+
+    fn mean_m(&self, particles: &[Particle]) -> f32 {
+        let sum: f32 = particles.iter().map(|particle| particle.radius).sum();
+        self.size * sum / particles.len().max(1) as f32
+    }
+}
+
+impl SurfaceRoom {
+    /// Enough for particles, given as numbers of them and their radius in cells, in bounds of `cells` along
+    /// the longest side.
+    ///
+    /// What no formula can bound is how rugged the surface becomes: there is room for three times the
+    /// surface of a cube around it all.
+    #[must_use]
+    pub fn of(particles: impl IntoIterator<Item = (u64, f32)>, cells: u32) -> Self {
+        let (mut count, mut entries) = (0_u64, 0_u64);
+        for (more, radius_cells) in particles {
+            // See `touched` in the engine's `bounds.wgsl`. The cast saturates.
+            let touched = (0.5 * f64::from(radius_cells.max(0.0)) + 2.2).powi(3).ceil() as u64;
+            count = count.saturating_add(more);
+            entries = entries.saturating_add(more.saturating_mul(touched));
+        }
+        let along = u64::from(cells).div_ceil(BLOCK).saturating_add(3);
+        let blocks = along.saturating_pow(3).min(MOST_BLOCKS);
+        let faces = along.saturating_pow(2).saturating_mul(6 * 3);
+        let active = blocks.min(faces);
+        // A plane crosses 1.5 edges for every square that its cells' faces are large, on average; a surface
+        // without a border has two triangles for each vertex.
+        let vertices = (active * POINTS).min(faces.saturating_mul(BLOCK * BLOCK * 3 / 2));
+        let within = |count: u64| u32::try_from(count).unwrap_or(u32::MAX);
+        Self {
+            particles: within(count.max(1)),
+            blocks: within(blocks),
+            entries: within(entries.max(1)),
+            active: within(active),
+            vertices: within(vertices),
+            triangles: within(vertices.saturating_mul(2)),
+        }
+    }
+
+    /// Bytes of graphics memory that it takes.
+    #[must_use]
+    pub fn bytes(&self) -> u64 {
+        self.parts().iter().map(|(_, count, bytes)| count * bytes).sum()
+    }
+
+    /// What there is, how many, and bytes for each.
+    #[must_use]
+    pub fn parts(&self) -> [(&'static str, u64, u64); 6] {
+        [
+            // A blob, and its part in a share of 64 bytes for each 256.
+            ("particles", u64::from(self.particles), 33),
+            // Tally, start, state, whether crossed, slot; a run for each 32.
+            ("blocks of cells", u64::from(self.blocks), 21),
+            ("particles on blocks' lists", u64::from(self.entries), 4),
+            // A word for each point; number, signs, counts and starts.
+            ("blocks that the surface crosses", u64::from(self.active), 4 * POINTS + 28),
+            ("vertices", u64::from(self.vertices), 16),
+            ("triangles", u64::from(self.triangles), 16),
+        ]
+    }
+
+    /// Room for either.
+    #[must_use]
+    pub fn or(self, other: Self) -> Self {
+        Self {
+            particles: self.particles.max(other.particles),
+            blocks: self.blocks.max(other.blocks),
+            entries: self.entries.max(other.entries),
+            active: self.active.max(other.active),
+            vertices: self.vertices.max(other.vertices),
+            triangles: self.triangles.max(other.triangles),
+        }
+    }
+}

@@ -1,0 +1,29 @@
+//! Which particles touch which block.
+
+use super::{Job, scan::Scan};
+use crate::gpu::{Frame, Gpu, Slot, folded, kernels, shader};
+
+/// Long-lived kernels.
+#[derive(Debug)]
+pub(super) struct Bins {
+    count: wgpu::ComputePipeline,
+    scatter: wgpu::ComputePipeline,
+}
+
+impl Bins {
+    pub(super) fn new(gpu: &Gpu) -> Self {
+        let slots = [Slot::Uniform, Slot::Read, Slot::Read, Slot::Write, Slot::Read, Slot::Write];
+        let [count, scatter] = kernels(gpu, shader!("shapes/surface/bins"), &slots, ["count", "scatter"]);
+        Self { count, scatter }
+    }
+
+    /// Fills the lists of all blocks, in any order.
+    pub(super) fn record(&self, frame: &mut Frame<'_>, job: Job<'_>, scan: &Scan) {
+        let Job { recipe, count, room, work } = job;
+        let bindings = [recipe, &work.lattice, &work.blobs, &work.tally, &work.starts, &work.entries]
+            .map(wgpu::Buffer::as_entire_binding);
+        frame.compute("shapes.surface.count", &self.count, &bindings, folded(count));
+        scan.record(frame, room.blocks, [&work.tally, &work.runs, &work.starts]);
+        frame.compute("shapes.surface.scatter", &self.scatter, &bindings, folded(count));
+    }
+}

@@ -1,0 +1,110 @@
+//! Álvarez's implicit surface: all particles of an object become one closed skin of triangles.
+//!
+//! Álvarez et al., "Interactive Cartoon Rendering and Sketching of Clouds and Smoke", 2007, sections 3
+//! and 5. Every particle has a density that falls from its mass at the centre to zero at its radius; the
+//! surface is where the sum of all is the threshold.
+//!
+//! ```text
+//! puffs ─▶ bounds ─▶ bins ─▶ blocks ─▶ cells ─▶ mesh
+//!          lattice   who      which     inside   vertices on the true
+//!          around    touches  can the   or not,  surface, triangles,
+//!          them      which    surface   which    arguments of
+//!                    block    cross     case     the draw
+//! ```
+//!
+//! All of it happens on the GPU, every frame, and nothing is read back. Work is linear in what blocks have
+//! on their lists and in the area of the surface: the inside of a thick cloud is never sampled.
+//!
+//! **Marching cubes**, with cases that only look at signs (`polygons.rs`), for this is watertight by
+//! construction and needs no look at neighbours. What it is known for, slivers, is avoided by keeping
+//! vertices away from lattice points and on the true surface (`vertices.wgsl`). Dual methods have better
+//! triangles yet, as many of them, and need neighbours to be manifold.
+//!
+//! **Every run gives the same bytes**: lists are sorted before floats are added up, and vertices and
+//! triangles come in the order of blocks and cells.
+//!
+//! **What does not fit** is never written out of bounds. Cells are made larger until blocks and lists fit,
+//! which keeps the surface closed; vertices and triangles beyond their room are left out. Either is told in
+//! the mesh's counters.
+
+mod bins;
+mod blocks;
+mod bounds;
+mod buffers;
+mod cells;
+mod mesh;
+mod polygons;
+mod recipe;
+mod refusal;
+mod scan;
+mod scene;
+#[cfg(test)]
+mod tests;
+
+pub(crate) use refusal::SurfaceTooLarge;
+pub(crate) use scene::{SurfaceObject, SurfaceScene};
+
+use buffers::Workspace;
+use fumetto_scene::SurfaceRoom;
+use recipe::Recipe;
+
+use crate::{
+    gpu::{Frame, Gpu},
+    shapes::mesh::Reserved,
+};
+
+/// Long-lived kernels.
+#[derive(Debug)]
+pub(crate) struct Surface {
+    bounds: bounds::Bounds,
+    scan: scan::Scan,
+    bins: bins::Bins,
+    blocks: blocks::Blocks,
+    cells: cells::Cells,
+    meshing: mesh::Meshing,
+}
+
+impl Surface {
+    pub(crate) fn new(gpu: &Gpu) -> Self {
+        Self {
+            bounds: bounds::Bounds::new(gpu),
+            scan: scan::Scan::new(gpu),
+            bins: bins::Bins::new(gpu),
+            blocks: blocks::Blocks::new(gpu),
+            cells: cells::Cells::new(gpu),
+            meshing: mesh::Meshing::new(gpu),
+        }
+    }
+
+    /// Makes the surface of the recipe's `puffs`; its `room` is within that of `work`.
+    ///
+    /// Puffs beyond the room are not looked at.
+    fn record(
+        &self,
+        frame: &mut Frame<'_>,
+        puffs: &wgpu::Buffer,
+        recipe: &Recipe,
+        (room, work): (SurfaceRoom, &Workspace),
+        mesh: &Reserved,
+    ) {
+        let uniform = frame.uniform("shapes.surface.recipe", &recipe.uniform(room, mesh));
+        let count = (recipe.puffs.len() as u32).min(room.particles);
+        let job = Job { recipe: &uniform, count, room, work };
+        self.bounds.record(frame, job, puffs);
+        self.bins.record(frame, job, &self.scan);
+        self.blocks.record(frame, job, &self.scan);
+        self.cells.record(frame, job, &self.scan);
+        self.meshing.record(frame, job, mesh);
+    }
+}
+
+/// What all steps of an extraction share.
+#[derive(Clone, Copy)]
+struct Job<'a> {
+    /// `Recipe` of `recipe.wgsl`.
+    recipe: &'a wgpu::Buffer,
+    /// Particles.
+    count: u32,
+    room: SurfaceRoom,
+    work: &'a Workspace,
+}

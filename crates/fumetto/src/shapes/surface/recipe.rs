@@ -1,0 +1,105 @@
+use std::ops::Range;
+
+use fumetto_scene::{Noise, Spacing, Surface, SurfaceRoom};
+
+use crate::shapes::mesh::Reserved;
+
+/// What is made of an object's puffs.
+#[derive(Clone, Debug)]
+pub(crate) struct Recipe {
+    /// The object's puffs in the list of all.
+    pub(crate) puffs: Range<u32>,
+    /// *T* of Álvarez's equation 3.
+    pub(crate) threshold: f32,
+    /// Multiplies all radii; an inner layer of detail has less than 1 (section 5).
+    pub(crate) radius_scale: f32,
+    /// Multiplies all masses.
+    pub(crate) mass_scale: f32,
+    pub(crate) spacing: Spacing,
+    pub(crate) noise: Option<Noise>,
+}
+
+/// Octaves beyond this are smaller than a rounding error.
+const MOST_OCTAVES: u32 = 16;
+/// More than any table of blocks holds.
+const MOST_SUBDIVISIONS: f32 = 65_536.0;
+/// Numbers that divide, and may not be zero.
+const LEAST: f32 = 1e-6;
+
+#[repr(C)]
+#[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
+pub(super) struct RecipeUniform {
+    first: u32,
+    count: u32,
+    radius_scale: f32,
+    mass_scale: f32,
+    threshold: f32,
+    cell_m: f32,
+    subdivisions: f32,
+    part: u32,
+    noise_amplitude: f32,
+    noise_per_m: f32,
+    noise_octaves: u32,
+    noise_seed: u32,
+    blocks: u32,
+    entries: u32,
+    active_blocks: u32,
+    vertices: u32,
+    triangles: u32,
+    first_vertex: u32,
+    first_triangle: u32,
+    pad: u32,
+}
+
+impl Recipe {
+    /// For the shape `surface` of `puffs`.
+    pub(super) fn new(surface: &Surface, puffs: Range<u32>, spacing: Spacing) -> Self {
+        // Puffs bring the factor of their radius along.
+        let (radius_scale, mass_scale) = (1.0, 1.0);
+        Self { puffs, threshold: surface.threshold, radius_scale, mass_scale, spacing, noise: surface.noise }
+    }
+
+    pub(super) fn uniform(&self, room: SurfaceRoom, mesh: &Reserved) -> RecipeUniform {
+        let (cell_m, subdivisions) = match self.spacing {
+            Spacing::Cell(cell_m) => (kept(cell_m, LEAST, 1.0 / LEAST), 1.0),
+            Spacing::Subdivisions(subdivisions) => (0.0, kept(subdivisions, 1.0, MOST_SUBDIVISIONS)),
+        };
+        let quiet = Noise { amplitude: 0.0, size_m: 1.0, octaves: 0, seed: 0 };
+        let noise = self.noise.unwrap_or(quiet);
+        RecipeUniform {
+            first: self.puffs.start,
+            count: (self.puffs.len() as u32).min(room.particles),
+            radius_scale: self.radius_scale,
+            mass_scale: self.mass_scale,
+            threshold: self.threshold.max(LEAST),
+            cell_m,
+            subdivisions,
+            part: mesh.part,
+            noise_amplitude: noise.amplitude.max(0.0),
+            noise_per_m: 1.0 / kept(noise.size_m, LEAST, 1.0 / LEAST),
+            noise_octaves: noise.octaves.min(MOST_OCTAVES),
+            noise_seed: noise.seed,
+            blocks: room.blocks,
+            entries: room.entries,
+            active_blocks: room.active,
+            vertices: mesh.vertices.len() as u32,
+            triangles: mesh.triangles.len() as u32,
+            first_vertex: mesh.vertices.start,
+            first_triangle: mesh.triangles.start,
+            pad: 0,
+        }
+    }
+}
+
+/// Within bounds; what is no number becomes the lower.
+fn kept(value: f32, low: f32, high: f32) -> f32 {
+    if value.is_nan() { low } else { value.clamp(low, high) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gpu::layout_test;
+
+    layout_test!(lies_as_its_twin: RecipeUniform, "Recipe" of "shapes/surface/bounds" { first, count, radius_scale, mass_scale, threshold, cell_m, subdivisions, part, noise_amplitude, noise_per_m, noise_octaves, noise_seed, blocks, entries, active_blocks, vertices, triangles, first_vertex, first_triangle });
+}

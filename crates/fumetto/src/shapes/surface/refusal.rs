@@ -1,0 +1,31 @@
+use fumetto_scene::SurfaceRoom;
+use thiserror::Error;
+
+use crate::gpu::Gpu;
+
+/// A surface that the device has no room for.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[error(
+    "a surface with room for {count} {what} needs {needed} bytes for them, and this device allows {allowed}: \
+     choose fewer subdivisions or fewer particles"
+)]
+pub struct SurfaceTooLarge {
+    what: &'static str,
+    count: u64,
+    needed: u64,
+    allowed: u64,
+}
+
+/// Refuses what has buffers larger than the device binds.
+///
+/// # Errors
+/// Names the first that is too large.
+pub(super) fn check(gpu: &Gpu, room: SurfaceRoom) -> Result<(), SurfaceTooLarge> {
+    let limits = gpu.device.limits();
+    let allowed = limits.max_storage_buffer_binding_size.min(limits.max_buffer_size);
+    // Each of them is several buffers, one of which is nearly all of it; as one they err on the safe side.
+    let too_large = room.parts().into_iter().find(|(_, count, bytes)| count * bytes > allowed);
+    too_large.map_or(Ok(()), |(what, count, bytes)| {
+        Err(SurfaceTooLarge { what, count, needed: count * bytes, allowed })
+    })
+}

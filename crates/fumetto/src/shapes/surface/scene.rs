@@ -1,0 +1,75 @@
+use std::ops::Range;
+
+use fumetto_scene::{SurfacePlan, SurfaceRoom};
+
+use super::{Surface, SurfaceTooLarge, Workspace, recipe::Recipe, refusal::check};
+use crate::{
+    gpu::{Frame, Gpu},
+    shapes::mesh::MeshScene,
+};
+
+/// One object that is drawn as a surface.
+#[derive(Clone, Debug)]
+pub(crate) struct SurfaceObject {
+    pub(crate) surface: fumetto_scene::Surface,
+    pub(crate) plan: SurfacePlan,
+    /// Its puffs in the list of all.
+    pub(crate) puffs: Range<u32>,
+    /// Whether it never moves, so that its surface is made but once.
+    pub(crate) stands: bool,
+}
+
+/// All surfaces of a scene, in the order in which the scene's meshes have room for them.
+#[derive(Debug)]
+pub(crate) struct SurfaceScene {
+    work: Option<Workspace>,
+    surfaces: Vec<Made>,
+}
+
+#[derive(Debug)]
+struct Made {
+    recipe: Recipe,
+    room: SurfaceRoom,
+    stands: bool,
+    /// Whether it has been made since the scene began.
+    made: bool,
+}
+
+impl SurfaceObject {
+    /// # Errors
+    /// When the device has no room for it.
+    pub(crate) fn check(&self, gpu: &Gpu) -> Result<(), SurfaceTooLarge> {
+        check(gpu, self.plan.room)
+    }
+}
+
+impl SurfaceScene {
+    /// For objects whose room has been checked.
+    pub(crate) fn new(gpu: &Gpu, objects: &[SurfaceObject]) -> Self {
+        let room = objects.iter().map(|object| object.plan.room).reduce(SurfaceRoom::or);
+        let surfaces = objects.iter().map(|object| Made {
+            recipe: Recipe::new(&object.surface, object.puffs.clone(), object.plan.spacing),
+            room: object.plan.room,
+            stands: object.stands,
+            made: false,
+        });
+        Self { work: room.map(|room| Workspace::new(gpu, room)), surfaces: surfaces.collect() }
+    }
+
+    /// Makes the surfaces of what `puffs` now are.
+    pub(crate) fn record(
+        &mut self,
+        frame: &mut Frame<'_>,
+        extraction: &Surface,
+        puffs: &wgpu::Buffer,
+        meshes: &MeshScene,
+    ) {
+        let Some(work) = &self.work else { return };
+        for (surface, mesh) in self.surfaces.iter_mut().zip(&meshes.reserved) {
+            if !(surface.stands && surface.made) {
+                extraction.record(frame, puffs, &surface.recipe, (surface.room, work), mesh);
+                surface.made = true;
+            }
+        }
+    }
+}

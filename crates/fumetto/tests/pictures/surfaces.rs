@@ -1,0 +1,194 @@
+//! Surfaces round particles: where they are, and what they look like.
+
+use std::f32::consts::PI;
+
+use crate::stage::{BACKGROUND, Files, PX_PER_METRE, Picture, Rgb, SIDE, Stage, engine, picture_at, style};
+
+const DARK: Rgb = [0x30, 0x30, 0x40];
+const LIGHT: Rgb = [0xf0, 0xe0, 0xd0];
+const MIDDLE: u32 = SIDE / 2;
+
+/// Radius of a lone particle of mass 1 whose surface has a radius of 1 at a threshold of 0.05: equation 2 of
+/// Álvarez et al. 2007 solved for the distance.
+const REACH: f32 = 1.134_967_9;
+
+fn assert_close(actual: f32, expected: f32, tolerance: f32) {
+    assert!((actual - expected).abs() < tolerance, "{actual}, should be {expected}");
+}
+
+fn lone(direction: [f32; 3], threshold: f32) -> Picture {
+    let tones = format!(
+        "tones = [{{ colour = \"#303040\", from = 0 }}, {{ colour = \"#f0e0d0\", from = {threshold} }}]"
+    );
+    let light = format!("kind = \"sun\", direction = {direction:?}");
+    let stage = Stage { light, style: style(&[], "").replace("tones = []", &tones), ..Stage::default() };
+    stage.surface("ball", &[[0.0, 0.0, 0.0, 4.0 * REACH]], "subdivisions = 64", "").picture()
+}
+
+fn lit_share(picture: &Picture) -> f32 {
+    picture.count(LIGHT) as f32 / (picture.count(LIGHT) + picture.count(DARK)) as f32
+}
+
+#[test]
+fn a_lone_particle_covers_the_silhouette_of_its_ball() {
+    // Seen from 10 m a ball of 4 m shows a cone of half angle asin(0.4).
+    let radius_px = PX_PER_METRE * 10.0 * 0.4_f32.asin().tan();
+    let covered = lone([0.0, 0.0, -1.0], 0.5).drawn() as f32;
+    assert_close(covered / (PI * radius_px * radius_px), 1.0, 0.003);
+}
+
+#[test]
+fn two_tones_split_it_where_theory_says() {
+    // As for a ball among models.
+    for threshold in [0.5, 0.7, 0.9_f32] {
+        let (distance, radius) = (10.0, 4.0);
+        let (along, across) = (radius * threshold, radius * (1.0 - threshold * threshold).sqrt());
+        let edge = across / (distance - along);
+        let silhouette = (radius / distance).asin().tan();
+        let share = lit_share(&lone([0.0, 0.0, -1.0], threshold));
+        assert_close(share, (edge / silhouette).powi(2), 0.004);
+    }
+    assert_close(lit_share(&lone([-1.0, 0.0, 0.0], 0.01)), 0.4936, 0.004);
+}
+
+const RED: &str = "style = { tones = [\"#ff0000\"] }";
+const BLUE: &str = "style = { tones = [\"#0000ff\"] }";
+
+#[test]
+fn surfaces_hide_each_other_where_they_are_nearer() {
+    let ball = |x: f32, z: f32| [[x, 0.0, z, 2.0]];
+    let beside =
+        Stage::default().surface("a", &ball(-1.0, 0.0), "", RED).surface("b", &ball(1.0, 0.0), "", BLUE);
+    let picture = beside.picture();
+    // They meet in the plane x = 0.
+    for (x, y) in picture.places().filter(|&(x, _)| x.abs_diff(MIDDLE) > 1) {
+        let other = if x < MIDDLE { [0, 0, 255] } else { [255, 0, 0] };
+        assert!(picture.rgb(x, y) != other, "at {x}, {y}");
+    }
+    assert_close(picture.count([255, 0, 0]) as f32 / picture.count([0, 0, 255]) as f32, 1.0, 0.01);
+    let before =
+        Stage::default().surface("a", &ball(0.0, 1.5), "", RED).surface("b", &ball(0.0, 0.0), "", BLUE);
+    assert_eq!(before.picture().rgb(MIDDLE, MIDDLE), [255, 0, 0]);
+}
+
+#[test]
+fn surfaces_and_puffs_hide_each_other() {
+    let front = [[-1.0, 0.0, 2.0, 1.5]];
+    let back = [[1.0, 0.0, -2.0, 3.0]];
+    let surface_first = Stage::default().surface("a", &front, "", RED).balls("b", &back, BLUE).picture();
+    let puff_first = Stage::default().balls("a", &front, RED).surface("b", &back, "", BLUE).picture();
+    for picture in [surface_first, puff_first] {
+        let px = |x: f32, z: f32| (MIDDLE as f32 + x * 10.0 / (10.0 - z) * PX_PER_METRE) as u32;
+        assert_eq!(picture.rgb(px(-1.0, 2.0), MIDDLE), [255, 0, 0]);
+        assert_eq!(picture.rgb(px(1.0, -2.0), MIDDLE), [0, 0, 255]);
+        assert!(picture.count([0, 0, 255]) > 0);
+    }
+}
+
+#[test]
+fn a_transparent_surface_is_even() {
+    // Two pieces, one behind the other, and a third that melts into the first.
+    let particles = [[0.0, 0.0, 2.0, 1.0], [0.3, 0.0, -2.0, 2.0], [0.8, 0.5, 2.0, 1.0]];
+    let picture = Stage::default().surface("a", &particles, "", "opacity = 0.5").picture();
+    let colours = picture.colours();
+    assert_eq!(colours.len(), 2, "{colours:?}");
+    assert!(picture.drawn() > 10_000 && !colours.contains(&[255; 3]));
+}
+
+#[test]
+fn a_transparent_surface_lies_between_others() {
+    let ball = |z: f32, radius: f32| [[0.0, 0.0, z, radius]];
+    let picture = Stage::default()
+        .surface("back", &ball(-3.0, 3.5), "", RED)
+        .surface("glass", &ball(0.0, 2.5), "", "opacity = 0.5")
+        .balls("puff", &ball(3.0, 0.7), BLUE)
+        .picture();
+    let across: Vec<Rgb> = (MIDDLE..SIDE).map(|x| picture.rgb(x, MIDDLE)).collect();
+    let mut seen = across.clone();
+    seen.dedup();
+    let through = |behind: Rgb| {
+        let mixed = seen.iter().any(|colour| {
+            (0..3).all(|i| colour[i] > behind[i] || behind[i] == 255)
+                && *colour != [255; 3]
+                && *colour != behind
+        });
+        assert!(mixed, "{behind:?} through the glass: {seen:?}");
+    };
+    assert_eq!(seen[0], [0, 0, 255], "the puff before it is not dimmed");
+    through([255, 0, 0]);
+    assert_eq!(*seen.last().unwrap(), BACKGROUND);
+    assert!(seen.len() <= 4, "{seen:?}");
+}
+
+#[test]
+fn particles_of_a_surface_are_not_drawn_singly() {
+    let ball = [[0.0, 0.0, -2.0, 3.0]];
+    let inked = style(&["#202020", "#ffffff"], "ink = { width = { px = 4 } }, shadow = { on = true }");
+    let stage = Stage { style: inked, ..Stage::default() };
+    let alone = stage.clone().balls("ball", &ball, "").picture();
+    // Nowhere is their density as much as the threshold.
+    let thin = stage.balls("ball", &ball, "").surface("thin", &[[0.5, 0.5, 2.0, 1.0]], "threshold = 2", "");
+    assert!(thin.picture() == alone);
+}
+
+#[test]
+fn finer_cells_and_larger_sizes_do_what_they_say() {
+    let drawn = |shape: &str| {
+        Stage::default().surface("ball", &[[0.0, 0.0, 0.0, 2.0]], shape, "").picture().drawn() as f32
+    };
+    let fine = drawn("subdivisions = 96");
+    let coarse = drawn("subdivisions = 5");
+    assert!(coarse < 0.99 * fine, "a polyhedron within the ball: {coarse} of {fine}");
+    assert_close(drawn("per_radius = 48") / fine, 1.0, 0.002);
+    assert_close(drawn("cell = 0.05") / fine, 1.0, 0.002);
+    let small = drawn("size = 0.5");
+    assert!((0.2..0.25).contains(&(small / fine)), "{small} of {fine}");
+}
+
+/// A plume whose skin is made anew for each frame.
+fn plume() -> Stage {
+    let objects = "[[object]]\nname = \"plume\"\nkind = \"smoke\"\n\
+         shape = { surface = { subdivisions = 24, noise = { amplitude = 2, size = 0.5 } } }\n\
+         emitter = { shape = { disc = { center = [0, -3, 0], radius = 0.4 } }, rate = 40, velocity = [0, 3, 0], \
+         spread = 20, life = [0.6, 1], radius = [0.4, 0.8], erosion_over_life = [[0.5, 0], [1, 1]] }\n";
+    Stage { time: "fps = 24, frames = [0, 40]".into(), objects: objects.into(), ..Stage::default() }
+}
+
+#[test]
+fn smoke_has_the_same_skin_however_a_frame_is_reached() {
+    let mut engine = engine();
+    let mut player = plume().play(&engine, Files::default()).unwrap();
+    let directly = picture_at(&mut engine, &mut player, 20).unwrap();
+    let later = picture_at(&mut engine, &mut player, 33).unwrap();
+    let back = picture_at(&mut engine, &mut player, 20).unwrap();
+    let mut again = plume().play(&engine, Files::default()).unwrap();
+    picture_at(&mut engine, &mut again, 7).unwrap();
+    assert!(directly.drawn() > 1000 && directly != later);
+    assert!(directly == back && directly == picture_at(&mut engine, &mut again, 20).unwrap());
+}
+
+#[test]
+fn a_sequence_of_files_gets_room_as_it_grows() {
+    let csv = |count: usize| {
+        let lines: String = (0..count).map(|i| format!("{},0,0,1\n", i as f32 - 1.0)).collect();
+        format!("x,y,z,radius\n{lines}")
+    };
+    let files = Files::default().with("p.0000.csv", csv(1)).with("p.0001.csv", csv(3));
+    let objects = "[[object]]\nname = \"cloud\"\nkind = \"cloud\"\nparticles = \"p.####.csv\"\n\
+         shape = { surface = {} }\n";
+    let stage = Stage { objects: objects.into(), ..Stage::default() };
+    let mut engine = engine();
+    let mut player = stage.play(&engine, files).unwrap();
+    let one = picture_at(&mut engine, &mut player, 0).unwrap();
+    let three = picture_at(&mut engine, &mut player, 1).unwrap();
+    assert!(three.drawn() > 3 * one.drawn() / 2, "{} and {} pixels", one.drawn(), three.drawn());
+    assert!(one == picture_at(&mut engine, &mut player, 0).unwrap());
+}
+
+#[test]
+fn what_the_device_cannot_hold_is_refused_by_name() {
+    let engine = engine();
+    let stage = Stage::default().surface("huge", &[[0.0, 0.0, 0.0, 1.0]], "subdivisions = 512", "");
+    let message = stage.play(&engine, Files::default()).err().unwrap().to_string();
+    assert!(message.contains("`huge`") && message.contains("triangles"), "{message}");
+}
