@@ -9,7 +9,7 @@ use glam::Vec3;
 use super::{
     geometry::{Geometry, Triangle},
     near::{Near, Sets},
-    weld::weld_within,
+    pieces::weld,
 };
 
 /// `Edge` of `shells.wgsl`.
@@ -54,7 +54,7 @@ impl Shells {
     /// The shells of the objects that `casts` names by their numbers.
     pub(crate) fn new(geometry: &Geometry, casts: impl Fn(u32) -> bool) -> Self {
         let mut shells = Self { edges: Vec::new(), casting: vec![0; geometry.triangles.len()] };
-        let welded = weld_within(&geometry.sources, &geometry.groups);
+        let welded = weld(&geometry.sources, &geometry.groups);
         let group = |triangle: &Triangle| geometry.groups[triangle.part as usize];
         let mut first = 0;
         for triangles in geometry.triangles.chunk_by(|a, b| group(a) == group(b)) {
