@@ -109,7 +109,8 @@ fn angles_ink_the_rims_of_puffs() {
     };
     let thousandths = (0..1000).map(|step| step as f32 / 1000.0);
     let inner = radius * thousandths.filter(|&share| cosine(share) >= 0.3).last().unwrap();
-    assert_ring(&picture, [inner, radius], 1.0);
+    // The normals of a puff's picture stop a little short of its rim.
+    assert_ring(&picture, [inner, radius], 1.5);
 }
 
 const CORNER_ON: &str = "transform = { rotation = [33, 41, 12], scale = 2 }";
