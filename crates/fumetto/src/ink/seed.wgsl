@@ -1,7 +1,7 @@
 // A place that a line runs through, as the flood carries it; all bits are 0 where there is none.
 //
 // x: the pixel's column in bits 0..14 and its row in bits 14..28, then how far the line runs beside its
-// middle: 0 to 8 for left above to right below. y: half the line's width in 64ths of a pixel in bits 0..16,
+// middle: 0 to 8 for left above to right below. y: half the width of the line in pixels times 64 in bits 0..16,
 // its pen + 1 in bits 16..24 and its opacity in bits 24..32, both as in the ink layer.
 alias Seed = vec2u;
 

@@ -107,8 +107,8 @@ fn angles_ink_the_rims_of_puffs() {
         let aside = share * CORE * 3.0 / DISTANCE;
         ((1.0 - share * share).sqrt() - share * aside) / aside.hypot(1.0)
     };
-    let thousandths = (0..1000).map(|step| step as f32 / 1000.0);
-    let inner = radius * thousandths.filter(|&share| cosine(share) >= 0.3).last().unwrap();
+    let mut thousandths = (0..1000).map(|step| step as f32 / 1000.0);
+    let inner = radius * thousandths.rfind(|&share| cosine(share) >= 0.3).unwrap();
     // The normals of a puff's picture stop a little short of its rim.
     assert_ring(&picture, [inner, radius], 1.5);
 }

@@ -84,7 +84,7 @@ mod tests {
         let mut geometry = geometry_of(&boxes(&[[0.0; 3]]));
         geometry.find_pushes(0);
         for (source, push) in geometry.sources.iter().zip(&geometry.pushes) {
-            let corner = Vec3::from(source.position).signum().normalize();
+            let corner = Vec3::from(source.position).signum().normalize_or(Vec3::Y);
             assert_eq!(push.outward, octahedral(corner), "{source:?}");
             assert!((push.outward_length - 3.0_f32.sqrt()).abs() < 1e-4, "{push:?}");
             assert_eq!(push.sideways_length, 0.0, "a box has no boundary");
@@ -97,7 +97,7 @@ mod tests {
         geometry.find_pushes(0);
         for (source, push) in geometry.sources.iter().zip(&geometry.pushes) {
             let [x, y, _] = source.position;
-            assert_eq!(push.sideways, octahedral(Vec3::new(x - 0.5, y - 0.5, 0.0).normalize()));
+            assert_eq!(push.sideways, octahedral(Vec3::new(x - 0.5, y - 0.5, 0.0).normalize_or(Vec3::Y)));
             assert!((push.sideways_length - 2.0_f32.sqrt()).abs() < 1e-4, "{push:?}");
             assert_eq!(push.outward, octahedral(Vec3::Z));
         }
