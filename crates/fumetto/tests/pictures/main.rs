@@ -13,6 +13,7 @@ mod mesh_shadows;
 mod meshes;
 mod models;
 mod occlusion;
+mod relief;
 mod shadings;
 mod shadows;
 mod stage;
