@@ -32,6 +32,7 @@ draw lamp lamp.png --frame 150 "${large[@]}"
 draw explosion explosion.png --frame 16 "${large[@]}"
 # Layers come beside it: cumulus.normal.png and its kin.
 draw cumulus cumulus.png --layers normal,depth,id,alpha,ink "${large[@]}"
+draw cottage cottage.png "${large[@]}"
 draw cloud cloud.png "${large[@]}"
 draw genie genie.png --frame 150 "${large[@]}"
 draw chimney chimney.gif --frames 144..191 --size 320x180

@@ -122,6 +122,21 @@ fn cumulus_looks_as_it_did() {
 }
 
 #[test]
+fn cottage_looks_as_it_did() {
+    check("cottage", 150);
+}
+
+#[test]
+fn edges_looks_as_it_did() {
+    check("edges", 0);
+}
+
+#[test]
+fn shadings_looks_as_it_did() {
+    check("shadings", 0);
+}
+
+#[test]
 fn cloud_looks_as_it_did() {
     check("cloud", 0);
 }
