@@ -79,5 +79,10 @@ for i in "${!shadings[@]}"; do
         --set "camera.eye=[$eye, $((height + 803))e-2, 60]" --set "camera.target=[$eye, ${height}e-2, 0]"
 done
 
+for method in hybrid vector image shell angle; do
+    draw cottage "line-$method.png" --frame 120 --size 320x240 --set style.height=440 \
+        --set "style.ink.method=$method" --set camera.fov=24 --set 'camera.target=[1.7,2.9,0]'
+done
+
 # The puffs' sprites: atlas.normal.png and its kin.
 "$fumetto" export scenes/cumulus.toml -o "$images/atlas.png"

@@ -30,6 +30,10 @@ pub(crate) const EDGES: Subsystem = Subsystem {
         "draw: smooth",
         "draw: flat",
         "draw: dashed",
+        "draw: hybrid",
+        "draw: image",
+        "draw: shell",
+        "draw: angle",
     ],
     measure,
 };
@@ -54,9 +58,13 @@ impl Look {
         };
         let (smooth_deg, ink) = match kind {
             "none" => (180, "on = false"),
-            "smooth" => (180, "on = true"),
-            "flat" => (0, "on = true"),
-            "dashed" => (180, "on = true, hidden = \"dashed\""),
+            "smooth" => (180, "method = \"vector\""),
+            "flat" => (0, "method = \"vector\""),
+            "dashed" => (180, "method = \"vector\", hidden = \"dashed\""),
+            "hybrid" => (180, "method = \"hybrid\""),
+            "image" => (180, "method = \"image\""),
+            "shell" => (180, "method = \"shell\""),
+            "angle" => (180, "method = \"angle\""),
             _ => return None,
         };
         Some(Self { size, smooth_deg, ink })
@@ -76,7 +84,7 @@ size = [{width}, {height}]
 antialias = 1
 [style]
 clean = {{ px = 0 }}
-ink = {{ method = "vector", width = {{ px = 2.0 }}, {ink} }}
+ink = {{ width = {{ px = 2.0 }}, {ink} }}
 shadow = {{ on = false }}
 [[object]]
 name = "boulder"
