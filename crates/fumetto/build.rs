@@ -255,7 +255,6 @@ const PROGRAMS: &[(&str, &[&str])] = &[
         "ink/image",
         &[
             "gpu/view",
-            "gpu/fullscreen",
             "object",
             "shapes/puffs/puff",
             "shapes/mesh/mesh",
@@ -264,9 +263,13 @@ const PROGRAMS: &[(&str, &[&str])] = &[
             "ink/thinned",
             "ink/seed",
             "ink/tiles",
+            "ink/piece",
+            "ink/seen",
+            "ink/border",
             "ink/image",
         ],
     ),
+    ("ink/borders", &["gpu/fullscreen", "shapes/mesh/mesh", "ink/piece", "ink/tiles", "ink/borders"]),
     ("ink/flood", &["ink/seed", "ink/tiles", "ink/flood"]),
     (
         "ink/flooded",

@@ -8,7 +8,7 @@
 
 @vertex
 fn vertex(@builtin(vertex_index) index: u32) -> @builtin(position) vec4f {
-    return tile_corner(index, textureDimensions(seeds), tiles[index / 6u] != 0u);
+    return tile_corner(index, textureDimensions(seeds), TILE, tiles[index / 6u] != 0u);
 }
 
 @fragment

@@ -20,7 +20,7 @@ fn object_of(id: u32) -> u32 {
 
 @vertex
 fn vertex(@builtin(vertex_index) index: u32) -> @builtin(position) vec4f {
-    return tile_corner(index, textureDimensions(seeds), tiles[index / 6u] != 0u);
+    return tile_corner(index, textureDimensions(seeds), TILE, tiles[index / 6u] != 0u);
 }
 
 @fragment

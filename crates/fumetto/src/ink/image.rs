@@ -10,9 +10,17 @@ use crate::{
     shapes::puffs::Subject,
 };
 
+/// 1 where a border runs through a tile.
+const BORDERS_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::R8Unorm;
+
+/// Pixels along the side of a tile that lines are looked for in. Also in `tiles.wgsl`.
+const LOOK_TILE_PX: u32 = 16;
+
 /// Long-lived pipelines.
 #[derive(Debug)]
 pub(crate) struct Image {
+    /// Of whole pieces, and of single triangles.
+    borders: [wgpu::RenderPipeline; 2],
     find: wgpu::RenderPipeline,
     flood: Flood,
     draw: wgpu::RenderPipeline,
@@ -20,16 +28,23 @@ pub(crate) struct Image {
 
 impl Image {
     pub(crate) fn new(gpu: &Gpu) -> Self {
-        let build = |label, program, format, depth| {
+        let build = |program, pipeline: RasterPipeline<'_>| {
             let module = gpu.device.create_shader_module(program);
-            RasterPipeline { label, targets: &[format], depth, ..Default::default() }
-                .build(&gpu.device, &module)
+            pipeline.build(&gpu.device, &module)
         };
-        Self {
-            find: build("ink.image", shader!("ink/image"), SEED_FORMAT, Some(layers::where_filled())),
-            flood: Flood::new(gpu),
-            draw: build("ink.flooded", shader!("ink/flooded"), INK_FORMAT, None),
-        }
+        let borders = [0.0, 1.0].map(|has_image| {
+            let constants = [("HAS_IMAGE", has_image)];
+            let targets = &[BORDERS_FORMAT];
+            let pipeline =
+                RasterPipeline { label: "ink.borders", targets, constants: &constants, ..Default::default() };
+            build(shader!("ink/borders"), pipeline)
+        });
+        let depth = Some(layers::where_filled());
+        let find =
+            RasterPipeline { label: "ink.image", targets: &[SEED_FORMAT], depth, ..Default::default() };
+        let draw = RasterPipeline { label: "ink.flooded", targets: &[INK_FORMAT], ..Default::default() };
+        let (find, draw) = (build(shader!("ink/image"), find), build(shader!("ink/flooded"), draw));
+        Self { borders, find, flood: Flood::new(gpu), draw }
     }
 
     /// Adds the lines that are found in the picture to `ink`, which tells where there are others.
@@ -46,7 +61,7 @@ impl Image {
             return;
         }
         let tiles_found = frame.zeros("ink.image.tiles", tiles(layers.size));
-        let seeds = self.find(frame, subject, methods.radius_px, layers, (ink, &tiles_found));
+        let seeds = self.find(frame, subject, methods, layers, (ink, &tiles_found));
         let flooded = self.flood.record(frame, seeds, layers.size, &tiles_found, methods.radius_px);
         frame.raster(
             "ink.flooded",
@@ -71,14 +86,27 @@ impl Image {
         &self,
         frame: &mut Frame<'_>,
         subject: Subject<'_>,
-        radius_px: f32,
+        methods: &Methods,
         layers: &Layers,
         (ink, tiles): (&Transient, &wgpu::Buffer),
     ) -> Transient {
-        let seeds = frame.texture("ink.image", layers.size, SEED_FORMAT);
-        let uniform = frame.uniform("ink.image.uniform", &[radius_px, 0.0, 0.0, 0.0]);
         let meshes = subject.meshes;
+        let tiled = layers.size.map(|pixels| pixels.div_ceil(LOOK_TILE_PX));
+        let borders = frame.texture("ink.borders", tiled, BORDERS_FORMAT);
         frame.fullscreen(
+            "ink.borders",
+            &self.borders[usize::from(methods.image)],
+            Target::colour(&borders, Some(wgpu::Color::TRANSPARENT)),
+            &[
+                meshes.triangles.as_entire_binding(),
+                meshes.parts.as_entire_binding(),
+                meshes.pieces.as_entire_binding(),
+                wgpu::BindingResource::TextureView(&layers.id),
+            ],
+        );
+        let seeds = frame.texture("ink.image", layers.size, SEED_FORMAT);
+        let uniform = frame.uniform("ink.image.uniform", &[methods.radius_px, 0.0, 0.0, 0.0]);
+        frame.raster(
             "ink.image",
             &self.find,
             Target::colour(&seeds, Some(wgpu::Color::TRANSPARENT)).with_depth_test(&layers.depth),
@@ -97,7 +125,9 @@ impl Image {
                 wgpu::BindingResource::TextureView(&layers.id),
                 wgpu::BindingResource::TextureView(&layers.depth),
                 wgpu::BindingResource::TextureView(ink),
+                wgpu::BindingResource::TextureView(&borders),
             ],
+            |pass| pass.draw(0..6 * tiled[0] * tiled[1], 0..1),
         );
         seeds
     }
