@@ -198,30 +198,15 @@ fn bind(
 }
 
 /// How a raster pipeline differs from the plainest one.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct RasterPipeline<'a> {
     pub(crate) label: &'a str,
     pub(crate) targets: &'a [wgpu::TextureFormat],
     pub(crate) depth: Option<wgpu::DepthStencilState>,
-    /// Channels that are written.
-    pub(crate) write_mask: wgpu::ColorWrites,
     /// What is done with what the targets hold; `None` replaces it.
     pub(crate) blend: Option<wgpu::BlendState>,
     /// Values of the shaders' `override` constants.
     pub(crate) constants: &'a [(&'a str, f64)],
-}
-
-impl Default for RasterPipeline<'_> {
-    fn default() -> Self {
-        Self {
-            label: "",
-            targets: &[],
-            depth: None,
-            write_mask: wgpu::ColorWrites::ALL,
-            blend: None,
-            constants: &[],
-        }
-    }
 }
 
 impl RasterPipeline<'_> {
@@ -231,7 +216,7 @@ impl RasterPipeline<'_> {
             .targets
             .iter()
             .map(|&format| {
-                Some(wgpu::ColorTargetState { format, blend: self.blend, write_mask: self.write_mask })
+                Some(wgpu::ColorTargetState { format, blend: self.blend, write_mask: wgpu::ColorWrites::ALL })
             })
             .collect();
         let compilation_options =

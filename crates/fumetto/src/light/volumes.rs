@@ -230,7 +230,6 @@ fn face<'a>(
         }),
         blend: Some(wgpu::BlendState { color: add, alpha: add }),
         constants,
-        ..Default::default()
     }
 }
 
