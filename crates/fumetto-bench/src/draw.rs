@@ -25,6 +25,8 @@ pub(crate) const DRAW: Subsystem = Subsystem {
         "body+ink form=0",
         "two tones per-pixel",
         "two tones pre-shaded",
+        "pre-shaded+ink",
+        "pre-shaded+ink+shadow",
     ],
     measure,
 };
@@ -51,6 +53,8 @@ impl Look {
     /// All that can be pre-shaded.
     const TWO_TONES: Self = Self { form: 0.0, tones: r##"["#8c8c8c", "#ffffff"]"##, ..Self::BODY };
 
+    const PRE_SHADED: Self = Self { shading: "pre-shaded", ..Self::TWO_TONES };
+
     fn of(variant: &str) -> Option<Self> {
         Some(match variant {
             "body" => Self::BODY,
@@ -59,7 +63,9 @@ impl Look {
             "body+shadow" => Self { shadow: true, ..Self::BODY },
             "body+ink form=0" => Self { ink: true, form: 0.0, ..Self::BODY },
             "two tones per-pixel" => Self::TWO_TONES,
-            "two tones pre-shaded" => Self { shading: "pre-shaded", ..Self::TWO_TONES },
+            "two tones pre-shaded" => Self::PRE_SHADED,
+            "pre-shaded+ink" => Self { ink: true, ..Self::PRE_SHADED },
+            "pre-shaded+ink+shadow" => Self { ink: true, shadow: true, ..Self::PRE_SHADED },
             _ => return None,
         })
     }
