@@ -3,9 +3,9 @@
 use std::path::Path;
 
 use anyhow::Context as _;
-use fumetto::{Engine, Layer, Player, Shot};
+use fumetto::{Engine, Export, Layer, Player, Shot};
 use fumetto_formats::{Image, is_sequence};
-use fumetto_scene::{Matter, Scene};
+use fumetto_scene::{Matter, Particle, Scene};
 
 use crate::console;
 use crate::files::SceneFolder;
@@ -90,5 +90,19 @@ impl Stage {
         let pictures = self.engine.atlas(&self.player);
         self.trouble.check()?;
         Ok(pictures?)
+    }
+
+    /// The triangles of an object at this moment, if it has any.
+    pub(crate) fn solid(&self, object: usize) -> anyhow::Result<Option<Export>> {
+        let export = self.engine.solid(&self.player, object);
+        self.trouble.check()?;
+        Ok(export?)
+    }
+
+    /// The particles of an object at this moment.
+    pub(crate) fn particles(&self, object: usize) -> anyhow::Result<Vec<Particle>> {
+        let particles = self.engine.particles(&self.player, object);
+        self.trouble.check()?;
+        Ok(particles?)
     }
 }

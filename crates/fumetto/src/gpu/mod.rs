@@ -16,6 +16,7 @@ pub use device::{Gpu, GpuError};
 pub(crate) use layout::{assert_twins, layout_test};
 #[cfg(test)]
 pub(crate) use readback::read_buffer;
+pub(crate) use readback::read_items;
 pub use readback::read_texture;
 
 pub(crate) use compact::{Compact, DrawList, Listing};
