@@ -35,8 +35,10 @@ mod light;
 mod object;
 mod particles;
 mod player;
+mod print;
 mod proof;
 mod shapes;
+mod tiles;
 mod tone;
 
 pub use assets::Assets;
@@ -45,4 +47,6 @@ pub use error::Error;
 pub use export::Export;
 pub use gpu::{Gpu, GpuError, read_texture};
 pub use player::Player;
+pub use print::Print;
 pub use proof::{Layer, UnknownLayer};
+pub use tiles::Tiling;

@@ -25,4 +25,4 @@ pub(crate) use kernels::{Slot, kernels};
 pub(crate) use pass::{Frame, RasterPipeline, Target};
 pub(crate) use pool::{TexturePool, Transient};
 pub(crate) use shader::shader;
-pub(crate) use view::View;
+pub(crate) use view::{Region, View};
