@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use anyhow::Context as _;
-use fumetto::{Engine, Export, Layer, Player, Shot};
+use fumetto::{Engine, Export, Layer, Player, Print, Shot, Tiling};
 use fumetto_formats::{Image, is_sequence};
 use fumetto_scene::{Matter, Particle, Scene};
 
@@ -76,6 +76,19 @@ impl Stage {
         let picture = self.engine.picture(&self.player, shot);
         self.trouble.check()?;
         Ok(picture?)
+    }
+
+    /// A picture of this moment that is drawn tile by tile, if it is too large to be drawn at once.
+    pub(crate) fn print(&mut self, shot: &Shot) -> anyhow::Result<Option<Print>> {
+        let print = self.engine.print(&self.player, shot, Tiling::default())?;
+        Ok((print.tile_count() > 1).then_some(print))
+    }
+
+    /// The next rows of such a picture, where its next tile completes any.
+    pub(crate) fn draw_tile(&mut self, print: &mut Print) -> anyhow::Result<Option<Image>> {
+        let band = print.draw_tile(&mut self.engine, &self.player);
+        self.trouble.check()?;
+        Ok(band?)
     }
 
     /// One layer of what the picture of this moment is made from.

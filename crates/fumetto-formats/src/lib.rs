@@ -8,7 +8,7 @@
 //! |---|---|
 //! | particles: [`read_particles`] (PLY, CSV) | particles: [`write_particles_ply`], [`write_particles_csv`] |
 //! | models: [`read_model`] (glTF, OBJ) | triangles: [`write_glb`], [`write_obj`], [`write_solids_ply`] |
-//! | pictures: [`read_png`] | pictures: [`write_png`] |
+//! | pictures: [`read_png`] | pictures: [`write_png`], [`write_png_bands`] |
 //! | | animations: [`GifWriter`] |
 //!
 //! Any bytes are welcome as input: they give data or an error that names the file and the place,
@@ -36,6 +36,6 @@ pub use particles::{
     DEFAULT_MASS, DEFAULT_RADIUS, MAX_PARTICLES, ParticleTable, read_particles, write_particles_csv,
     write_particles_ply,
 };
-pub use png::{MAX_IMAGE_SIDE, read_png, write_png};
+pub use png::{MAX_IMAGE_SIDE, read_png, write_png, write_png_bands};
 pub use sequence::{is_sequence, sequence_path};
 pub use solid::{Group, Solid, write_glb, write_mtl, write_obj, write_solids_ply};

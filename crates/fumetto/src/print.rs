@@ -83,6 +83,12 @@ impl Print {
         columns * rows
     }
 
+    /// How many of them have been drawn.
+    #[must_use]
+    pub fn drawn_count(&self) -> u32 {
+        self.next[1] * self.tiles.grid()[0] + self.next[0]
+    }
+
     /// Whether all have been drawn.
     #[must_use]
     pub fn is_done(&self) -> bool {
