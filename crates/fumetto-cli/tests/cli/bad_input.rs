@@ -65,8 +65,10 @@ fn settings_are_checked_like_the_scene() {
 #[test]
 fn pictures_beyond_the_device() {
     let folder = Folder::with_smoke();
-    let args = ["render", "smoke.toml", "-o", "a.png", "--size", "8192x8", "--antialias", "4"];
-    folder.run(&args).ends(1).says(&["8192", "antialias"]);
+    for out in [&["a.gif"][..], &["a.png", "--layers", "id"]] {
+        let args = [&["render", "smoke.toml", "--size", "9000x8", "-o"], out].concat();
+        folder.run(&args).ends(1).says(&["9000 x 8", "antialias", ".png"]);
+    }
     assert!(folder.files().is_empty());
 }
 
