@@ -65,6 +65,15 @@ impl Default for Tiling {
     }
 }
 
+impl Tiling {
+    /// Whether a picture of `samples` is drawn at once, on a device whose textures may be `allowed` long.
+    #[must_use]
+    pub fn takes(&self, samples: [u32; 2], allowed: u32) -> bool {
+        let [width, height] = samples;
+        u64::from(width) * u64::from(height) <= self.most && width.max(height) <= allowed
+    }
+}
+
 /// The tiles of a picture, row after row from the top left.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Tiles {
@@ -88,8 +97,7 @@ impl Tiles {
     /// Cuts a picture of `picture` samples whose pixels depend on others up to `reach_px` away, on a device whose
     /// textures may be `allowed` long. `None` where the margins would not fit.
     pub(crate) fn new(tiling: Tiling, picture: [u32; 2], reach_px: f32, allowed: u32) -> Option<Self> {
-        let samples = u64::from(picture[0]) * u64::from(picture[1]);
-        if samples <= tiling.most && picture[0].max(picture[1]) <= allowed {
+        if tiling.takes(picture, allowed) {
             return Some(Self { picture, inner: picture, margin: 0 });
         }
         let margin = (reach_px.ceil() as u32).min(allowed).next_multiple_of(ALIGNED);
