@@ -2,6 +2,7 @@
 
 use std::time::{Duration, Instant};
 
+use fumetto::Print;
 use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::json;
 
@@ -22,11 +23,17 @@ pub(crate) struct Progress<'a> {
 impl<'a> Progress<'a> {
     pub(crate) fn new(plan: &'a Plan, json: bool) -> Self {
         let bar = ProgressBar::new(plan.frames.len());
-        if let Ok(style) = ProgressStyle::with_template("{bar:30} {pos}/{len} frames, {eta} left") {
+        if let Ok(style) = ProgressStyle::with_template("{bar:30} {pos}/{len} frames{msg}, {eta} left") {
             bar.set_style(style);
         }
         bar.enable_steady_tick(Duration::from_millis(200));
         Self { plan, bar, json, start: Instant::now(), written: 0, skipped: 0 }
+    }
+
+    /// A tile of the frame at hand has been drawn.
+    pub(crate) fn drew_tile(&self, print: &Print) {
+        let (drawn, all) = (print.drawn_count(), print.tile_count());
+        self.bar.set_message(if drawn < all { format!(" and {drawn}/{all} tiles") } else { String::new() });
     }
 
     /// `frame` has been written.

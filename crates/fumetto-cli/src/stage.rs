@@ -3,9 +3,9 @@
 use std::path::Path;
 
 use anyhow::Context as _;
-use fumetto::{Engine, Layer, Player, Shot};
+use fumetto::{Engine, Export, Layer, Player, Print, Shot, Tiling};
 use fumetto_formats::{Image, is_sequence};
-use fumetto_scene::{Matter, Scene};
+use fumetto_scene::{Matter, Particle, Scene};
 
 use crate::console;
 use crate::files::SceneFolder;
@@ -78,6 +78,19 @@ impl Stage {
         Ok(picture?)
     }
 
+    /// A picture of this moment that is drawn tile by tile, if it is too large to be drawn at once.
+    pub(crate) fn print(&mut self, shot: &Shot) -> anyhow::Result<Option<Print>> {
+        let print = self.engine.print(&self.player, shot, Tiling::default())?;
+        Ok((print.tile_count() > 1).then_some(print))
+    }
+
+    /// The next rows of such a picture, where its next tile completes any.
+    pub(crate) fn draw_tile(&mut self, print: &mut Print) -> anyhow::Result<Option<Image>> {
+        let band = print.draw_tile(&mut self.engine, &self.player);
+        self.trouble.check()?;
+        Ok(band?)
+    }
+
     /// One layer of what the picture of this moment is made from.
     pub(crate) fn layer(&mut self, shot: &Shot, layer: Layer) -> anyhow::Result<Image> {
         let picture = self.engine.layer(&self.player, shot, layer);
@@ -90,5 +103,19 @@ impl Stage {
         let pictures = self.engine.atlas(&self.player);
         self.trouble.check()?;
         Ok(pictures?)
+    }
+
+    /// The triangles of an object at this moment, if it has any.
+    pub(crate) fn solid(&self, object: usize) -> anyhow::Result<Option<Export>> {
+        let export = self.engine.solid(&self.player, object);
+        self.trouble.check()?;
+        Ok(export?)
+    }
+
+    /// The particles of an object at this moment.
+    pub(crate) fn particles(&self, object: usize) -> anyhow::Result<Vec<Particle>> {
+        let particles = self.engine.particles(&self.player, object);
+        self.trouble.check()?;
+        Ok(particles?)
     }
 }

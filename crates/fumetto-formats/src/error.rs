@@ -190,4 +190,24 @@ pub enum WriteError {
         /// The rate that was asked for.
         fps: f32,
     },
+    /// Triangles that nobody could read.
+    #[error("the triangles of `{name}` cannot be written: {problem}")]
+    Solid {
+        /// The solid's name.
+        name: String,
+        /// What is wrong.
+        problem: &'static str,
+    },
+    /// More than a binary glTF file can tell the length of.
+    #[error("{bytes} bytes are more than the 4 GiB of a .glb file; write .ply, or fewer objects at once")]
+    GlbTooLong {
+        /// The length of the file.
+        bytes: u64,
+    },
+    /// More vertices than a PLY file can number.
+    #[error("{vertices} vertices are more than a .ply file can number; write fewer objects at once")]
+    TooManyVertices {
+        /// Of all solids.
+        vertices: usize,
+    },
 }

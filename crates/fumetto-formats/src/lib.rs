@@ -6,9 +6,9 @@
 //!
 //! | in | out |
 //! |---|---|
-//! | particles: [`read_particles`] (PLY, CSV) | |
-//! | models: [`read_model`] (glTF, OBJ) | |
-//! | pictures: [`read_png`] | pictures: [`write_png`] |
+//! | particles: [`read_particles`] (PLY, CSV) | particles: [`write_particles_ply`], [`write_particles_csv`] |
+//! | models: [`read_model`] (glTF, OBJ) | triangles: [`write_glb`], [`write_obj`], [`write_solids_ply`] |
+//! | pictures: [`read_png`] | pictures: [`write_png`], [`write_png_bands`] |
 //! | | animations: [`GifWriter`] |
 //!
 //! Any bytes are welcome as input: they give data or an error that names the file and the place,
@@ -23,6 +23,7 @@ mod model;
 mod particles;
 mod png;
 mod sequence;
+mod solid;
 
 pub use error::{FormatError, Position, WriteError};
 pub use gif::{GifWriter, MAX_GIF_FPS, MIN_GIF_FPS};
@@ -31,6 +32,10 @@ pub use model::{
     DEFAULT_SMOOTH_DEGREES, MAX_MODEL_TRIANGLES, Material, Model, ModelOptions, Part, Placed, Texture, Wrap,
     read_model,
 };
-pub use particles::{DEFAULT_MASS, DEFAULT_RADIUS, MAX_PARTICLES, ParticleTable, read_particles};
-pub use png::{MAX_IMAGE_SIDE, read_png, write_png};
+pub use particles::{
+    DEFAULT_MASS, DEFAULT_RADIUS, MAX_PARTICLES, ParticleTable, read_particles, write_particles_csv,
+    write_particles_ply,
+};
+pub use png::{MAX_IMAGE_SIDE, read_png, write_png, write_png_bands};
 pub use sequence::{is_sequence, sequence_path};
+pub use solid::{Group, Solid, write_glb, write_mtl, write_obj, write_solids_ply};

@@ -1,6 +1,9 @@
 //! PNG, through the `png` crate.
 
-use std::io::{Cursor, Write};
+use std::{
+    borrow::Cow,
+    io::{Cursor, Write},
+};
 
 use png::{BitDepth, ColorType, Compression, Decoder, Encoder, EncodingError, Limits, Transformations};
 
@@ -11,6 +14,9 @@ pub const MAX_IMAGE_SIDE: u32 = 8192;
 
 /// What the decoder may allocate beside the picture: a few rows, the palette, the chunk at hand.
 const DECODER_BYTES: usize = 16 << 20;
+
+/// Bytes of a chunk of a picture that is written band by band.
+const CHUNK_BYTES: usize = 1 << 20;
 
 /// Deflate never makes data smaller than this many times (zlib's "Maximum Compression Factor").
 const MAX_DEFLATE_FACTOR: u64 = 1032;
@@ -88,23 +94,65 @@ fn grey_to_rgba(pixels: &[u8]) -> Vec<u8> {
 /// If the picture has no pixels or not as many as its size says, or `out` refuses the bytes.
 pub fn write_png(image: &Image, out: impl Write) -> Result<(), WriteError> {
     image.check()?;
-    let failed = |error: EncodingError| match error {
-        EncodingError::IoError(error) => WriteError::Io(error),
-        other => image.refuse(other.to_string()),
-    };
+    let failed = |error| refused(error, image);
     let opaque = image.rgba().all(|[.., alpha]| alpha == u8::MAX);
+    let mut writer = encoder(out, [image.width, image.height], opaque).write_header().map_err(failed)?;
+    writer.write_image_data(&stored(image, opaque)).map_err(failed)?;
+    writer.finish().map_err(failed)
+}
 
-    let mut encoder = Encoder::new(out, image.width, image.height);
+/// Writes a picture of `size` as PNG, marked as sRGB, without ever holding all of it: `next_band` gives the next
+/// rows, until there are none. It is RGB if it is said to be `opaque`; then alpha is ignored.
+///
+/// The bytes depend on the picture and its bands alone. `out` is not flushed.
+///
+/// # Errors
+/// If the bands are not of the picture's width, or too few or too many; if `next_band` fails, or `out` refuses
+/// the bytes.
+pub fn write_png_bands<E: From<WriteError>>(
+    size: [u32; 2],
+    opaque: bool,
+    out: impl Write,
+    mut next_band: impl FnMut() -> Result<Option<Image>, E>,
+) -> Result<(), E> {
+    let [width, height] = size;
+    let whole = Image { width, height, pixels: Vec::new() };
+    let failed = |error| refused(error, &whole);
+    let mut writer = encoder(out, size, opaque).write_header().map_err(failed)?;
+    let mut rows = writer.stream_writer_with_size(CHUNK_BYTES).map_err(failed)?;
+    while let Some(band) = next_band()? {
+        band.check()?;
+        if band.width != width {
+            return Err(whole.refuse(format!("a band of it is {} pixels wide", band.width)).into());
+        }
+        rows.write_all(&stored(&band, opaque)).map_err(WriteError::Io)?;
+    }
+    rows.finish().map_err(failed)?;
+    writer.finish().map_err(failed)?;
+    Ok(())
+}
+
+fn encoder<W: Write>(out: W, [width, height]: [u32; 2], opaque: bool) -> Encoder<'static, W> {
+    let mut encoder = Encoder::new(out, width, height);
     encoder.set_depth(BitDepth::Eight);
     encoder.set_color(if opaque { ColorType::Rgb } else { ColorType::Rgba });
     encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
     encoder.set_compression(Compression::Balanced);
-    let mut writer = encoder.write_header().map_err(failed)?;
+    encoder
+}
+
+/// The pixels as they are stored.
+fn stored(image: &Image, opaque: bool) -> Cow<'_, [u8]> {
     if opaque {
-        let rgb: Vec<u8> = image.rgba().flat_map(|[r, g, b, _]| [r, g, b]).collect();
-        writer.write_image_data(&rgb).map_err(failed)?;
+        image.rgba().flat_map(|[r, g, b, _]| [r, g, b]).collect()
     } else {
-        writer.write_image_data(&image.pixels).map_err(failed)?;
+        Cow::Borrowed(&image.pixels)
     }
-    writer.finish().map_err(failed)
+}
+
+fn refused(error: EncodingError, image: &Image) -> WriteError {
+    match error {
+        EncodingError::IoError(error) => WriteError::Io(error),
+        other => image.refuse(other.to_string()),
+    }
 }

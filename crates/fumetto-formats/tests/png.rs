@@ -1,7 +1,7 @@
 //! Pictures through PNG and back.
 #![expect(clippy::unwrap_used, reason = "a test that cannot set up should stop")]
 
-use fumetto_formats::{Image, WriteError, read_png, write_png};
+use fumetto_formats::{Image, WriteError, read_png, write_png, write_png_bands};
 use png::{BitDepth, ColorType};
 
 fn written(image: &Image) -> Vec<u8> {
@@ -42,6 +42,41 @@ fn an_opaque_picture_is_stored_without_alpha_and_survives() {
 #[test]
 fn the_same_picture_gives_the_same_bytes() {
     assert_eq!(written(&all_values()), written(&all_values()));
+}
+
+/// Bands of so many rows each.
+fn in_bands(image: &Image, opaque: bool, rows: &[u32]) -> Result<Vec<u8>, WriteError> {
+    let (mut bytes, mut rows, mut first) = (Vec::new(), rows.iter(), 0);
+    write_png_bands([image.width, image.height], opaque, &mut bytes, || {
+        Ok::<_, WriteError>(rows.next().map(|&height| {
+            let length = 4 * (image.width * height) as usize;
+            first += length;
+            let pixels = image.pixels.iter().copied().cycle().skip(first - length).take(length).collect();
+            Image { width: image.width, height, pixels }
+        }))
+    })?;
+    Ok(bytes)
+}
+
+#[test]
+fn a_picture_in_bands_is_the_same_picture() {
+    let image = all_values();
+    let bytes = in_bands(&image, false, &[100, 1, 155]).unwrap();
+    assert_eq!(read_png("a.png", &bytes).unwrap(), image);
+    let opaque = read_png("a.png", &in_bands(&image, true, &[256]).unwrap()).unwrap();
+    assert!(
+        opaque.pixels.chunks(4).zip(image.pixels.chunks(4)).all(|(a, b)| a[..3] == b[..3] && a[3] == 255)
+    );
+}
+
+#[test]
+fn bands_that_do_not_make_up_the_picture_are_refused() {
+    assert!(in_bands(&all_values(), false, &[100, 100]).is_err(), "too few rows");
+    assert!(in_bands(&all_values(), false, &[200, 200]).is_err(), "too many rows");
+    let narrow = || Ok(Some(Image { width: 1, height: 512 * 256, pixels: all_values().pixels }));
+    let error =
+        write_png_bands([512, 256], false, Vec::new(), narrow).map_err(|error: WriteError| error.to_string());
+    assert!(error.unwrap_err().contains("1 pixels wide"));
 }
 
 /// A PNG of one row, made by the `png` crate itself.

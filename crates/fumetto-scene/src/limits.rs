@@ -59,8 +59,8 @@ pub const PIXELS: Limit = Limit::closed(0.0, 8192.0);
 pub const WIDTH_PX: Limit = Limit::above(0.0, 1024.0);
 /// Widths of lines in metres.
 pub const WIDTH_WORLD: Limit = Limit::above(0.0, 1e9);
-/// Sides of a picture in pixels.
-pub const PICTURE_PX: Limit = Limit::closed(1.0, 8192.0);
+/// Sides of a picture in pixels: a band of tiles of the widest fills 512 MiB.
+pub const PICTURE_PX: Limit = Limit::closed(1.0, 32_768.0);
 /// Samples along each side of a pixel.
 pub const ANTIALIAS: Limit = Limit::closed(1.0, 4.0);
 /// Frames in a second.

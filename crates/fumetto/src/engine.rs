@@ -4,11 +4,12 @@ use fumetto_scene::{Camera, Scene};
 use crate::{
     Assets, Error, Layer, Player,
     frame::Painter,
-    gpu::{Frame, Gpu, TexturePool, read_texture},
+    gpu::{Frame, Gpu, Region, TexturePool, read_texture},
     particles::Particles,
     player::PlayedMatter,
     proof::atlas_pictures,
     shapes::{mesh::Place, puffs::Present, surface::Surface},
+    tiles::Part,
 };
 
 /// What the picture is drawn into: sRGB bytes, straight alpha.
@@ -21,12 +22,12 @@ const STEPS_A_SUBMIT: u64 = 8;
 /// What lives long: the device, the pipelines, and the textures that frames share.
 pub struct Engine {
     gpu: Gpu,
-    pool: TexturePool,
+    pub(crate) pool: TexturePool,
     particles: Particles,
     present: Present,
     place: Place,
     surface: Surface,
-    painter: Painter,
+    pub(crate) painter: Painter,
 }
 
 /// Which picture to take of a scene.
@@ -48,6 +49,11 @@ impl Shot {
     #[must_use]
     pub fn of(scene: &Scene) -> Self {
         Self { camera: scene.cameras[0].clone(), size: scene.output.size, antialias: scene.output.antialias }
+    }
+
+    /// Width and height in samples.
+    pub(crate) fn samples(&self) -> [u32; 2] {
+        self.size.map(|pixels| pixels * self.antialias)
     }
 }
 
@@ -150,7 +156,8 @@ impl Engine {
     /// When the picture is too large for the device.
     pub fn draw(&mut self, player: &Player, shot: &Shot, target: &wgpu::TextureView) -> Result<(), Error> {
         self.check_size(shot)?;
-        self.painter.paint(&self.gpu, &self.pool, player, shot, target);
+        let part = Part { region: Region::whole(shot.samples()), survey: None };
+        self.painter.paint(&self.gpu, &self.pool, player, shot, part, target);
         self.pool.end_frame();
         Ok(())
     }
@@ -192,19 +199,24 @@ impl Engine {
     /// When the picture is too large for the device, or the device is lost.
     pub fn picture(&mut self, player: &Player, shot: &Shot) -> Result<Image, Error> {
         let [width, height] = shot.size;
-        let texture = self.gpu.device.create_texture(&wgpu::TextureDescriptor {
-            label: Some("engine.picture"),
-            size: wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
-            mip_level_count: 1,
-            sample_count: 1,
-            dimension: wgpu::TextureDimension::D2,
-            format: PICTURE_FORMAT,
-            usage: wgpu::TextureUsages::RENDER_ATTACHMENT
-                | wgpu::TextureUsages::TEXTURE_BINDING
-                | wgpu::TextureUsages::COPY_SRC,
-            view_formats: &[],
-        });
+        let texture = picture_texture(&self.gpu, shot.size);
         self.draw(player, shot, &texture.create_view(&wgpu::TextureViewDescriptor::default()))?;
         Ok(Image { width, height, pixels: read_texture(&self.gpu, &texture)? })
     }
+}
+
+/// A texture that pictures are drawn into and read back from.
+pub(crate) fn picture_texture(gpu: &Gpu, [width, height]: [u32; 2]) -> wgpu::Texture {
+    gpu.device.create_texture(&wgpu::TextureDescriptor {
+        label: Some("engine.picture"),
+        size: wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
+        mip_level_count: 1,
+        sample_count: 1,
+        dimension: wgpu::TextureDimension::D2,
+        format: PICTURE_FORMAT,
+        usage: wgpu::TextureUsages::RENDER_ATTACHMENT
+            | wgpu::TextureUsages::TEXTURE_BINDING
+            | wgpu::TextureUsages::COPY_SRC,
+        view_formats: &[],
+    })
 }

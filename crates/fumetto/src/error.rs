@@ -39,7 +39,8 @@ pub enum Error {
     /// The picture is too large to draw at once.
     #[error(
         "a picture of {width} x {height} pixels with {antialias} samples along each side of a pixel needs a \
-         texture {needed} pixels long; this device allows {allowed}. Make `output.size` or `output.antialias` smaller"
+         texture {needed} pixels long; this device allows {allowed}. Make `output.size` or `output.antialias` smaller; \
+         only .png pictures can be larger than a texture, without layers"
     )]
     TooLarge {
         /// Pixels.
@@ -50,6 +51,24 @@ pub enum Error {
         antialias: u32,
         /// Width or height in samples.
         needed: u64,
+        /// Of the device.
+        allowed: u32,
+    },
+    /// Pixels depend on others so far away that tiles with such margins do not fit a texture.
+    #[error(
+        "a picture of {width} x {height} pixels with {antialias} samples along each side of a pixel is drawn by \
+         tiles with margins of {margin} samples, and textures of this device are {allowed} long. Make \
+         `style.clean`, `style.ink.width` or `output.antialias` smaller"
+    )]
+    Margins {
+        /// Pixels.
+        width: u32,
+        /// Pixels.
+        height: u32,
+        /// Samples along a side.
+        antialias: u32,
+        /// Samples.
+        margin: u32,
         /// Of the device.
         allowed: u32,
     },

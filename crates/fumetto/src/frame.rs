@@ -1,19 +1,21 @@
 //! How a picture is drawn: the page that reads as it happens, top to bottom.
 
+use fumetto_scene::Object;
 use glam::Vec3;
 
 use crate::{
     Player, Shot,
     cels::{Cel, cels},
-    gpu::{Compact, DrawList, Frame, Gpu, Listing, TexturePool, Transient, View},
-    ink::{Angle, Gather, Image, MAX_PENS, Methods, Outline, Pen, Shell, Vector},
+    gpu::{Compact, DrawList, Frame, Gpu, Listing, Region, TexturePool, Transient, View},
+    ink::{Angle, Gather, Image, InkAround, MAX_PENS, Methods, Outline, Pen, Shell, Vector},
     layers::Layers,
     light::{Casting, LightsUniform, Shadows, Soften, Volumes},
     object::ObjectStyle,
     proof::Proof,
     shapes::mesh,
     shapes::puffs::{Body, FRONT, Form, INK, Normal, Occlusion, PuffScene, Pyramid, QUADS, REST, Subject},
-    tone::{CEL_FORMAT, Canvas, Compose, Copied, Features, Flat, Inked, Sprites, Under},
+    tiles::Part,
+    tone::{CEL_FORMAT, Canvas, Compose, Copied, Features, Flat, Inked, Sheet, Sprites, Under},
 };
 
 /// Shadows are cleaned over this many times the length that tones are: their specks come of single puffs,
@@ -60,7 +62,7 @@ struct Setting<'a> {
     view: View,
     lights: LightsUniform,
     features: Features,
-    samples: u32,
+    sheet: Sheet,
 }
 
 impl Painter {
@@ -89,39 +91,46 @@ impl Painter {
         }
     }
 
-    /// Draws the moment that `player` is at.
+    /// Draws the moment that `player` is at, or a part of its picture. Answers with the ink around in each cel.
     pub(crate) fn paint(
         &mut self,
         gpu: &Gpu,
         pool: &TexturePool,
         player: &Player,
         shot: &Shot,
+        part: Part<'_>,
         target: &wgpu::TextureView,
-    ) {
-        let setting = self.set(gpu, player, shot);
+    ) -> Vec<InkAround> {
+        let setting = self.set(gpu, player, shot, part.region);
         let scene = player.scene();
+        let size = part.region.size.map(|side| side / shot.antialias);
 
         let mut picture: Option<Transient> = None;
         let mut opaque: Option<Layers> = None;
+        let mut arounds = Vec::new();
         let cels = cels(scene, Vec3::from(shot.camera.eye));
         for (index, cel) in cels.iter().enumerate() {
             write_styles(gpu, &setting, cel);
             let mut frame = Frame::new(gpu, pool, "frame");
             let under = picture.as_ref().map_or(Under::Backdrop(&player.backdrop), |p| Under::Picture(p));
             let is_last = index + 1 == cels.len();
-            let next = (!is_last).then(|| frame.texture("frame.picture", shot.size, CEL_FORMAT));
+            let next = (!is_last).then(|| frame.texture("frame.picture", size, CEL_FORMAT));
             let to = next.as_deref().unwrap_or(target);
-            let layers = self.paint_cel(&mut frame, &setting, cel, opaque.as_ref(), under, to);
+            let known = part.survey.and_then(|survey| survey.around(index, part.region));
+            let (layers, around) =
+                self.paint_cel(&mut frame, &setting, (cel, known), opaque.as_ref(), under, to);
             frame.submit();
+            arounds.push(around);
             // Transparent cels are drawn over the opaque one, and are hidden by it where it is nearer.
             opaque = opaque.or(Some(layers));
             picture = next;
         }
+        arounds
     }
 
     /// Fills the layers with all objects at once, to be looked at.
     pub(crate) fn proof(&mut self, gpu: &Gpu, pool: &TexturePool, player: &Player, shot: &Shot) -> Proof {
-        let setting = self.set(gpu, player, shot);
+        let setting = self.set(gpu, player, shot, Region::whole(shot.samples()));
         let visible = |index: &usize| player.scene().objects[*index].visible;
         let members = (0..player.scene().objects.len()).filter(visible).collect();
         let cel = Cel { members, pre_shaded: false };
@@ -140,27 +149,28 @@ impl Painter {
     }
 
     /// Looks at the scene, and makes room for what it takes to draw it.
-    fn set<'a>(&mut self, gpu: &Gpu, player: &'a Player, shot: &Shot) -> Setting<'a> {
-        let view = View::new(&shot.camera, shot.size.map(|pixels| pixels * shot.antialias));
+    fn set<'a>(&mut self, gpu: &Gpu, player: &'a Player, shot: &Shot, region: Region) -> Setting<'a> {
+        let view = View::new(&shot.camera, region);
         self.make_room(gpu, &player.puffs, view.size);
         let scene = player.scene();
         let shadows = scene.objects.iter().any(|object| object.visible && object.style.shadow.on);
         let lights = LightsUniform::new(&scene.lights, shadows);
         let features = Features::of(&scene.objects, !player.meshes.is_empty());
         self.flat.prepare(gpu, features);
-        Setting { player, view, lights, features, samples: shot.antialias }
+        Setting { player, view, lights, features, sheet: Sheet { region, samples: shot.antialias } }
     }
 
-    /// Draws one cel over what lies under it. Answers with the layers it filled.
+    /// Draws one cel over what lies under it; `known` is the ink around in all of the picture, if that is
+    /// known. Answers with the layers it filled and the ink around.
     fn paint_cel(
         &self,
         frame: &mut Frame<'_>,
         setting: &Setting<'_>,
-        cel: &Cel,
+        (cel, known): (&Cel, Option<(&InkAround, f32)>),
         opaque: Option<&Layers>,
         under: Under<'_>,
         target: &wgpu::TextureView,
-    ) -> Layers {
+    ) -> (Layers, InkAround) {
         let room = self.room.as_ref().expect("room is made before a cel is painted");
         let (view, lights, pens) = setting.buffers(frame, &cel.members);
         let Player { puffs: scene, meshes, .. } = setting.player;
@@ -169,21 +179,21 @@ impl Painter {
         let layers = self.fill(frame, subject, room, (&cel.members, setting.view.size), opaque);
         let shadow = self.shadow(frame, subject, setting, room, &layers);
         // Where nothing is averaged or half transparent, tones go straight into the picture.
-        let own = (setting.samples > 1 || opaque.is_some())
+        let own = (setting.sheet.samples > 1 || opaque.is_some())
             .then(|| frame.texture("tone.cel", layers.size, CEL_FORMAT));
         let canvas = Canvas { view: own.as_deref().unwrap_or(target), is_picture: own.is_none() };
         if canvas.is_picture {
-            self.compose.lay(frame, under, layers.size, target);
+            self.compose.lay(frame, under, setting.sheet, target);
         }
         self.tone(frame, subject, setting, cel, (&layers, &shadow), canvas);
         let ink = self.ink(frame, subject, setting, cel, (&layers, &room.inks));
         let around = self.gather.record(frame, &ink, layers.size, setting.ink_length_px(&cel.members));
-        let inked = Inked { ink: &ink, around: &around };
+        let inked = Inked { ink: &ink, around: &around, known };
         match own {
-            Some(own) => self.compose.record(frame, subject, (&own, inked), under, setting.samples, target),
-            None => self.compose.lines(frame, subject, inked, layers.size, target),
+            Some(own) => self.compose.record(frame, subject, (&own, inked), under, setting.sheet, target),
+            None => self.compose.lines(frame, subject, inked, setting.sheet, target),
         }
-        layers
+        (layers, around)
     }
 
     /// Fills the layers, and lists what is to be inked.
@@ -266,7 +276,7 @@ impl Painter {
         (layers, inks): (&Layers, &DrawList),
     ) -> Transient {
         let objects = &setting.player.scene().objects;
-        let methods = Methods::of(objects, &cel.members, setting.view.size[1]);
+        let methods = Methods::of(objects, &cel.members, setting.view.picture_height);
         let along_edges = setting.pens(&cel.members).iter().any(Pen::follows_edges);
         let lines = along_edges.then(|| self.vector.record(frame, subject, &self.compact, layers));
         let ink = self.outline.record(frame, subject, inks, layers, lines);
@@ -311,14 +321,14 @@ impl Setting<'_> {
 
     /// The pens that draw the cel of the objects that `members` numbers.
     fn pens(&self, members: &[usize]) -> [Pen; MAX_PENS] {
-        Pen::of_all(&self.player.scene().objects, members, self.view.size[1])
+        Pen::of_all(&self.player.scene().objects, members, self.view.picture_height)
     }
 
     /// How each object is drawn in a cel.
     fn styles(&self, cel: &Cel) -> Vec<ObjectStyle> {
         let style = |(index, object)| {
             let in_cel = cel.members.contains(&(index as usize));
-            ObjectStyle::new(object, index, self.view.size[1], in_cel)
+            ObjectStyle::new(object, index, self.view.picture_height, in_cel)
         };
         (0..).zip(&self.player.scene().objects).map(style).collect()
     }
@@ -343,12 +353,30 @@ impl Setting<'_> {
         }
     }
 
-    /// Least size of a tone's shape, in samples: the largest that any object wants.
+    /// Least size of a tone's shape, in samples.
     fn clean_px(&self) -> f32 {
-        let scale = |height_px| self.view.size[1] as f32 / height_px;
-        let objects = &self.player.scene().objects;
-        objects.iter().map(|object| object.style.clean_px * scale(object.style.height_px)).fold(0.0, f32::max)
+        clean_px(&self.player.scene().objects, self.view.picture_height)
     }
+}
+
+/// Least size of a tone's shape in a picture `height_px` samples high, in samples: the largest that any object
+/// wants.
+fn clean_px(objects: &[Object], height_px: u32) -> f32 {
+    let px = |object: &Object| object.style.clean_px * height_px as f32 / object.style.height_px;
+    objects.iter().map(px).fold(0.0, f32::max)
+}
+
+/// How far from a pixel of a picture `height_px` samples high anything may lie that it depends on, in samples;
+/// lines' lengths aside, which only a survey tells.
+pub(crate) fn reach_px(objects: &[Object], height_px: u32) -> f32 {
+    let clean = clean_px(objects, height_px);
+    let members: Vec<usize> = (0..objects.len()).collect();
+    let methods = Methods::of(objects, &members, height_px);
+    // A flood jumps twice as far as it reaches; a line asks what hides its middle.
+    let ink = if methods.image || methods.hybrid { 2.0 } else { 1.0 } * methods.radius_px;
+    // Layers that have a texel for several samples reach farther by so much.
+    const TEXELS_PX: f32 = 8.0;
+    (SETTLE * clean).max(clean).max(ink) + TEXELS_PX
 }
 
 fn write_styles(gpu: &Gpu, setting: &Setting<'_>, cel: &Cel) {

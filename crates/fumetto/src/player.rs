@@ -32,7 +32,7 @@ pub struct Player {
     pub(crate) puffs: PuffScene,
     pub(crate) meshes: MeshScene,
     pub(crate) surfaces: SurfaceScene,
-    geometry: Geometry,
+    pub(crate) geometry: Geometry,
     pub(crate) ramps: Ramps,
     pub(crate) backdrop: Backdrop,
     /// Steps of the simulation done so far.
@@ -61,8 +61,8 @@ pub(crate) enum PlayedMatter {
 /// A model with its copies, and which parts of the scene's geometry they are.
 pub(crate) struct PlayedModel {
     mesh: Mesh,
-    model: Model,
-    parts: Range<usize>,
+    pub(crate) model: Model,
+    pub(crate) parts: Range<usize>,
 }
 
 impl PlayedMatter {
@@ -144,6 +144,11 @@ impl Player {
     #[must_use]
     pub fn scene(&self) -> &Scene {
         &self.scene
+    }
+
+    /// Where the files that the scene names come from.
+    pub(crate) fn assets(&self) -> &dyn Assets {
+        &*self.assets
     }
 
     /// Things to tell the user about the files that were read.

@@ -13,6 +13,21 @@ impl FrameRange {
         Self { first: frame, last: frame }
     }
 
+    /// The frames that are asked for; without any, one file shows the last of the scene's `frames`.
+    pub(crate) fn chosen(
+        frame: Option<u32>,
+        range: Option<Self>,
+        is_one_file: bool,
+        [first, last]: [u32; 2],
+    ) -> Self {
+        match (frame, range) {
+            (Some(frame), _) => Self::one(frame),
+            (None, Some(range)) => range,
+            (None, None) if is_one_file => Self::one(last),
+            (None, None) => Self { first, last },
+        }
+    }
+
     pub(crate) fn iter(self) -> impl Iterator<Item = u32> {
         self.first..=self.last
     }

@@ -1,5 +1,6 @@
 //! What may stand on the command line.
 
+mod export;
 mod frames;
 mod setting;
 mod size;
@@ -11,6 +12,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use fumetto::Layer;
 
 pub(crate) use self::{
+    export::{ExportTarget, Format, What},
     frames::FrameRange,
     setting::Setting,
     size::Size,
@@ -98,10 +100,28 @@ pub(crate) struct RenderArgs {
 pub(crate) struct ExportArgs {
     #[command(flatten)]
     pub(crate) scene: SceneArgs,
-    /// Where to write. `puffs.png` writes the pictures of all puffs side by side, for engines that draw
-    /// them as billboards: puffs.normal.png, puffs.depth.png and puffs.coverage.png.
-    #[arg(short, long = "output", value_name = "OUT", value_parser = target::export)]
-    pub(crate) out: String,
+    /// Where to write; the extension says what. `.glb`, `.obj` and `.ply` are triangles: surfaces and
+    /// models. `.csv`, and `.ply` with `--what particles`, are particles. `puffs.png` are the pictures of
+    /// all puffs side by side, for engines that draw them as billboards: puffs.normal.png,
+    /// puffs.depth.png and puffs.coverage.png. `smoke.####.glb` is a file for each frame.
+    #[arg(short, long = "output", value_name = "OUT")]
+    pub(crate) out: ExportTarget,
+    /// What to write, where OUT's extension leaves a choice: a `.ply` holds triangles unless this asks for
+    /// particles.
+    #[arg(long, value_enum)]
+    pub(crate) what: Option<What>,
+    /// Only this object, visible or not; may be given several times. Default: all that are visible.
+    #[arg(long, value_name = "NAME")]
+    pub(crate) object: Vec<String>,
+    /// This frame only. Without it a single file shows the scene's last frame, and a sequence all frames.
+    #[arg(long, value_name = "N", conflicts_with = "frames")]
+    pub(crate) frame: Option<u32>,
+    /// These frames, the first and the last included.
+    #[arg(long, value_name = "A..B")]
+    pub(crate) frames: Option<FrameRange>,
+    /// Print a JSON object for each file, and one at the end.
+    #[arg(long)]
+    pub(crate) json: bool,
 }
 
 #[derive(Args, Debug)]

@@ -40,20 +40,8 @@ impl FromStr for Target {
     }
 }
 
-/// The name of an export, if it is one of a kind that can be written.
-pub(super) fn export(name: &str) -> Result<String, String> {
-    match extension_of(name).as_deref() {
-        Some("png") => Ok(name.to_owned()),
-        _ => Err(
-            "its extension does not say what to export; end its name in .png (the pictures of all puffs), \
-             which is all there is so far"
-                .to_owned(),
-        ),
-    }
-}
-
 /// The extension in lower case.
-fn extension_of(name: &str) -> Option<String> {
+pub(super) fn extension_of(name: &str) -> Option<String> {
     let file = name.rsplit(['/', '\\']).next().unwrap_or(name);
     file.rsplit_once('.').map(|(_, extension)| extension.to_ascii_lowercase())
 }

@@ -3,10 +3,10 @@
 use std::process::ExitCode;
 use std::time::Instant;
 
-use crate::args::RenderArgs;
+use crate::args::{RenderArgs, TargetKind};
 use crate::interrupt::Interrupt;
 use crate::progress::Progress;
-use crate::render::{Drawing, Plan, Sink};
+use crate::render::{Drawing, Picture, Plan, Sink};
 use crate::scene;
 use crate::stage::Stage;
 
@@ -31,11 +31,16 @@ pub(crate) fn run(args: &RenderArgs) -> anyhow::Result<ExitCode> {
         let start = Instant::now();
         match &mut stage {
             Some(stage) if !plan.is_done(frame) => {
-                let drawing = match shown.take() {
+                let mut drawing = match shown.take() {
                     Some(held) if held.number == stage.drawing(frame) => held,
                     _ => draw(stage, &plan, frame, &interrupt)?,
                 };
-                sink.write(&plan, frame, &drawing)?;
+                sink.write(&plan, frame, &mut drawing, &mut |print| {
+                    interrupt.check()?;
+                    let band = stage.draw_tile(print)?;
+                    progress.drew_tile(print);
+                    Ok(band)
+                })?;
                 shown = Some(drawing);
                 progress.wrote(frame, start.elapsed())?;
             }
@@ -49,7 +54,11 @@ pub(crate) fn run(args: &RenderArgs) -> anyhow::Result<ExitCode> {
 
 fn draw(stage: &mut Stage, plan: &Plan, frame: u32, interrupt: &Interrupt) -> anyhow::Result<Drawing> {
     stage.seek(frame, interrupt)?;
-    let picture = stage.picture(&plan.shot)?;
     let layers = plan.layers.iter().map(|&layer| stage.layer(&plan.shot, layer)).collect::<Result<_, _>>()?;
+    let may_be_tiles = plan.target.kind != TargetKind::Animation;
+    let picture = match if may_be_tiles { stage.print(&plan.shot)? } else { None } {
+        Some(print) => Picture::Tiles(Box::new(print)),
+        None => Picture::Drawn(stage.picture(&plan.shot)?),
+    };
     Ok(Drawing { number: stage.drawing(frame), picture, layers })
 }

@@ -1,10 +1,16 @@
 //! What a rendering consists of, and where it goes.
 
 mod names;
+mod picture;
 mod plan;
 mod sink;
 
-pub(crate) use self::{names::with_part, plan::Plan, sink::Sink};
+pub(crate) use self::{
+    names::with_part,
+    picture::{DrawTile, Picture},
+    plan::Plan,
+    sink::Sink,
+};
 
 use fumetto_formats::Image;
 
@@ -12,6 +18,6 @@ use fumetto_formats::Image;
 pub(crate) struct Drawing {
     /// Frames of the same number look the same.
     pub(crate) number: u32,
-    pub(crate) picture: Image,
+    pub(crate) picture: Picture,
     pub(crate) layers: Vec<Image>,
 }

@@ -38,13 +38,8 @@ impl Plan {
     }
 
     pub(crate) fn new(args: &RenderArgs, scene: &Scene) -> Result<Self, Stop> {
-        let [first, last] = scene.time.frames;
-        let frames = match (args.frame, args.frames, args.out.kind) {
-            (Some(frame), ..) => FrameRange::one(frame),
-            (_, Some(frames), _) => frames,
-            (_, _, TargetKind::Picture) => FrameRange::one(last),
-            (_, _, TargetKind::Sequence | TargetKind::Animation) => FrameRange { first, last },
-        };
+        let is_one = args.out.kind == TargetKind::Picture;
+        let frames = FrameRange::chosen(args.frame, args.frames, is_one, scene.time.frames);
         let shot = Shot {
             camera: camera(scene, args.camera.as_deref())?,
             size: args.size.map_or(scene.output.size, |size| size.0),

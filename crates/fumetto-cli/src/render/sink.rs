@@ -1,17 +1,20 @@
 use std::path::Path;
 
 use anyhow::Context as _;
-use fumetto_formats::{GifWriter, Image, write_png};
+use fumetto_formats::{GifWriter, write_png};
 use fumetto_scene::{Background, Colour, Ramp, Scene};
 
-use super::{Drawing, Plan};
+use super::{DrawTile, Drawing, Picture, Plan};
 use crate::args::TargetKind;
 use crate::output::{self, Draft};
 
 /// Where finished frames go.
 pub(crate) enum Sink {
     /// A file for each frame, and one for each of its layers.
-    Pictures,
+    Pictures {
+        /// Whether none of them has a transparent pixel.
+        opaque: bool,
+    },
     /// One file, which gets its name when the last frame is in it.
     Animation(Box<GifWriter<Draft>>),
 }
@@ -32,23 +35,33 @@ impl Sink {
             }
             TargetKind::Picture | TargetKind::Sequence => {
                 output::check(Path::new(&plan.file(plan.frames.first)))?;
-                Ok(Self::Pictures)
+                let opaque = matches!(scene.background, Background::Colour(_) | Background::Gradient { .. });
+                Ok(Self::Pictures { opaque })
             }
         }
     }
 
     /// Writes a frame.
-    pub(crate) fn write(&mut self, plan: &Plan, frame: u32, drawing: &Drawing) -> anyhow::Result<()> {
+    pub(crate) fn write(
+        &mut self,
+        plan: &Plan,
+        frame: u32,
+        drawing: &mut Drawing,
+        draw_tile: DrawTile<'_>,
+    ) -> anyhow::Result<()> {
         match self {
             // The picture comes last: where it is, --resume can rely on its layers.
-            Self::Pictures => {
+            Self::Pictures { opaque } => {
                 for (&layer, image) in plan.layers.iter().zip(&drawing.layers) {
-                    write_picture(&plan.layer_file(frame, layer), image)?;
+                    output::write(Path::new(&plan.layer_file(frame, layer)), |draft| {
+                        write_png(image, draft)
+                    })?;
                 }
-                write_picture(&plan.file(frame), &drawing.picture)
+                drawing.picture.write(&plan.file(frame), (plan.shot.size, *opaque), draw_tile)
             }
             Self::Animation(gif) => {
-                gif.push(&drawing.picture).with_context(|| format!("cannot write {}", plan.target.name))
+                let Picture::Drawn(picture) = &drawing.picture else { return Ok(()) };
+                gif.push(picture).with_context(|| format!("cannot write {}", plan.target.name))
             }
         }
     }
@@ -56,17 +69,13 @@ impl Sink {
     /// Completes what is still open.
     pub(crate) fn finish(self, plan: &Plan) -> anyhow::Result<()> {
         match self {
-            Self::Pictures => Ok(()),
+            Self::Pictures { .. } => Ok(()),
             Self::Animation(gif) => {
                 let draft = gif.finish().with_context(|| format!("cannot write {}", plan.target.name))?;
                 draft.publish()
             }
         }
     }
-}
-
-fn write_picture(name: &str, image: &Image) -> anyhow::Result<()> {
-    output::write(Path::new(name), |draft| write_png(image, draft))
 }
 
 /// The colours that someone picked, and that an animation's palette has to keep.

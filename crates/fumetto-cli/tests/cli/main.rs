@@ -4,6 +4,7 @@
 
 mod bad_input;
 mod documents;
+mod export;
 mod interrupt;
 mod output;
 mod render;

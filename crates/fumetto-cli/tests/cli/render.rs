@@ -158,3 +158,30 @@ fn what_was_drawn_before_a_missing_file_stays() {
     assert_ne!(folder.bytes("s.0.png"), folder.bytes("s.3.png"));
     assert!(!folder.path("s.4.png").exists());
 }
+
+#[test]
+fn prints_are_larger_than_a_texture_and_look_like_the_preview() {
+    let folder = Folder::with_smoke();
+    let sized = ["render", "smoke.toml", "--frame", "5", "--set", "style.clean={ px = 0 }", "--size"];
+    let run = |more: &[&str]| folder.run(&[&sized[..], more].concat()).ends(0);
+    // By tiles, because of their samples.
+    run(&["2560x1440", "-o", "small.png"]);
+    run(&["2560x1440", "--antialias", "4", "-o", "large.png"]);
+    let (small, large) = (folder.png("small.png"), folder.png("large.png"));
+    assert_eq!([large.width, large.height], [2560, 1440]);
+    let pairs = || small.pixels.as_chunks::<4>().0.iter().zip(large.pixels.as_chunks::<4>().0);
+    let far = |(a, b): &(&[u8; 4], &[u8; 4])| a.iter().zip(*b).any(|(a, b)| a.abs_diff(*b) > 160);
+    let (paper, apart) = (pairs().filter(|(a, _)| **a == PAPER).count(), pairs().filter(far).count());
+    assert!(paper < 3_000_000, "there is smoke");
+    assert!(apart < 20_000, "only the edges of lines are finer: {apart}");
+}
+
+#[test]
+fn prints_of_a_held_drawing_are_the_same() {
+    let folder = Folder::with_smoke();
+    let args = ["render", "smoke.toml", "-o", "s.#.png", "--frames", "2..3", "--size", "8192x8"];
+    folder.run(&[&args[..], &["--antialias", "4", "--json"]].concat()).ends(0);
+    assert_eq!([folder.png("s.2.png").width, folder.png("s.2.png").height], [8192, 8]);
+    assert_eq!(folder.bytes("s.2.png"), folder.bytes("s.3.png"), "drawn on twos");
+    assert_eq!(folder.files(), ["s.2.png", "s.3.png"]);
+}

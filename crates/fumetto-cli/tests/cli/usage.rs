@@ -22,16 +22,28 @@ fn unknown_extensions_list_those_known() {
     refused(&["render", "smoke.toml", "-o", "a.bmp"], &["a.bmp", ".png", ".gif"]);
     refused(&["render", "smoke.toml", "-o", "a"], &[".png", ".gif"]);
     refused(&["render", "smoke.toml", "-o", "a.####.gif"], &["all frames"]);
-    refused(&["export", "smoke.toml", "-o", "a.svg"], &["a.svg", ".png"]);
+    refused(&["export", "smoke.toml", "-o", "a.svg"], &["a.svg", ".glb", ".png"]);
+}
+
+#[test]
+fn exports_fit_their_files() {
+    let export =
+        |args: &[&str], says: &[&str]| refused(&[&["export", "smoke.toml", "-o"], args].concat(), says);
+    export(&["a.glb", "--what", "particles"], &["a.glb", ".ply or .csv"]);
+    export(&["a.csv", "--what", "meshes"], &["a.csv", ".glb, .obj or .ply"]);
+    export(&["a.png", "--frame", "3"], &["a.png", "same in every frame"]);
+    export(&["a.####.png"], &["same in every frame"]);
+    export(&["a.glb", "--frames", "1..2"], &["a.####.glb"]);
+    export(&["a.glb", "--frame", "1", "--frames", "1..2"], &["--frame"]);
 }
 
 #[test]
 fn sizes_have_bounds() {
     let size = |size| refused(&["render", "smoke.toml", "-o", "a.png", "--size", size], &[size]);
-    for wrong in ["0x0", "0x36", "8193x8", "100000x100000", "64", "ax3", "99999999999x1"] {
+    for wrong in ["0x0", "0x36", "32769x8", "100000x100000", "64", "ax3", "99999999999x1"] {
         size(wrong);
     }
-    refused(&["render", "smoke.toml", "-o", "a.png", "--size", "100000x100000"], &["from 1 to 8192"]);
+    refused(&["render", "smoke.toml", "-o", "a.png", "--size", "100000x100000"], &["from 1 to 32768"]);
 }
 
 #[test]

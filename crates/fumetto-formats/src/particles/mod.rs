@@ -1,11 +1,13 @@
-//! Particles out of tables that other programs write.
+//! Particles out of tables that other programs write, and back.
 
 mod columns;
 mod csv;
 mod ply;
+mod write;
 
 use fumetto_scene::Particle;
 
+pub use self::write::{write_particles_csv, write_particles_ply};
 use crate::FormatError;
 
 /// Most particles that a file may hold.

@@ -152,7 +152,7 @@ impl Default for TimeFile {
 #[derive(Clone, Debug, Deserialize, JsonSchema, PartialEq, Serialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct OutputFile {
-    /// Width and height in pixels, each 1 to 8192. Default `[1280, 720]`.
+    /// Width and height in pixels, each 1 to 32768. Default `[1280, 720]`.
     #[schemars(transform = &limits::PICTURE_PX)]
     pub size: [u32; 2],
     /// Samples along each side of a pixel, 1 (hard edges) to 4. Default 2.

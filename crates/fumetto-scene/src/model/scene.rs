@@ -53,7 +53,7 @@ pub struct Time {
 /// The picture that is made.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Output {
-    /// Width and height in pixels, each 1 to 8192.
+    /// Width and height in pixels, each 1 to 32768.
     pub size: [u32; 2],
     /// Samples along each side of a pixel, 1 (hard edges) to 4.
     pub antialias: u32,

@@ -16,6 +16,7 @@ pub use device::{Gpu, GpuError};
 pub(crate) use layout::{assert_twins, layout_test};
 #[cfg(test)]
 pub(crate) use readback::read_buffer;
+pub(crate) use readback::read_items;
 pub use readback::read_texture;
 
 pub(crate) use compact::{Compact, DrawList, Listing};
@@ -24,4 +25,4 @@ pub(crate) use kernels::{Slot, kernels};
 pub(crate) use pass::{Frame, RasterPipeline, Target};
 pub(crate) use pool::{TexturePool, Transient};
 pub(crate) use shader::shader;
-pub(crate) use view::View;
+pub(crate) use view::{Region, View};

@@ -49,6 +49,11 @@ impl TexturePool {
         Transient { texture, pool: self.clone() }
     }
 
+    /// Frees all that nobody has at the moment: textures of this size are not wanted again soon.
+    pub(crate) fn clear(&self) {
+        self.shelf.lock().unwrap_or_else(PoisonError::into_inner).clear();
+    }
+
     /// Ends a frame: textures that nobody has taken for a while are freed.
     pub(crate) fn end_frame(&self) {
         let mut shelf = self.shelf.lock().unwrap_or_else(PoisonError::into_inner);

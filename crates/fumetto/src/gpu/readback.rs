@@ -1,3 +1,5 @@
+use std::ops::Range;
+
 use super::{Gpu, GpuError};
 
 /// Reads a whole texture of one mip level back, rows packed without padding.
@@ -43,18 +45,34 @@ pub fn read_texture(gpu: &Gpu, texture: &wgpu::Texture) -> Result<Vec<u8>, GpuEr
     Ok(packed)
 }
 
-/// Reads a buffer back; it must allow `COPY_SRC`.
+/// Reads a whole buffer back; it must allow `COPY_SRC`.
 #[cfg(test)]
 pub(crate) fn read_buffer<T: bytemuck::Pod>(gpu: &Gpu, buffer: &wgpu::Buffer) -> Result<Vec<T>, GpuError> {
+    read_items(gpu, buffer, 0..(buffer.size() / size_of::<T>() as u64) as u32)
+}
+
+/// Reads some of the items of a buffer back; it must allow `COPY_SRC`.
+///
+/// For export only: it waits for the device.
+pub(crate) fn read_items<T: bytemuck::Pod>(
+    gpu: &Gpu,
+    buffer: &wgpu::Buffer,
+    items: Range<u32>,
+) -> Result<Vec<T>, GpuError> {
+    if items.is_empty() {
+        return Ok(Vec::new());
+    }
+    let item = size_of::<T>() as u64;
+    let (offset, size) = (u64::from(items.start) * item, items.len() as u64 * item);
     let staging = gpu.device.create_buffer(&wgpu::BufferDescriptor {
         label: Some("gpu.readback"),
-        size: buffer.size(),
+        size,
         usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
         mapped_at_creation: false,
     });
     let mut encoder =
         gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("gpu.readback") });
-    encoder.copy_buffer_to_buffer(buffer, 0, &staging, 0, buffer.size());
+    encoder.copy_buffer_to_buffer(buffer, offset, &staging, 0, size);
     gpu.queue.submit([encoder.finish()]);
     Ok(bytemuck::pod_collect_to_vec(&read_mapped(gpu, &staging)?))
 }

@@ -14,9 +14,13 @@ fn is_outside(segment: Segment) -> bool {
     }
     // Half the widest that the line gets on the picture.
     let margin = pen_width_px(pens[segment.pen], max(min(-start.z, -end.z), view.near));
-    let reach = (0.5 * view.size_px + margin) / view.focal_px;
-    let low = (start.xy < reach * start.z) & (end.xy < reach * end.z);
-    let high = (start.xy > -reach * start.z) & (end.xy > -reach * end.z);
+    // To the left and below, to the right and above.
+    let middle = view.middle_px - view.first_px;
+    let rest = view.size_px - middle;
+    let to_low = (vec2f(middle.x, rest.y) + margin) / view.focal_px;
+    let to_high = (vec2f(rest.x, middle.y) + margin) / view.focal_px;
+    let low = (start.xy < to_low * start.z) & (end.xy < to_low * end.z);
+    let high = (start.xy > -to_high * start.z) & (end.xy > -to_high * end.z);
     return any(low | high);
 }
 

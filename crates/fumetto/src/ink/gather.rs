@@ -29,9 +29,9 @@ pub(crate) struct InkAround {
 }
 
 impl InkAround {
-    /// Area of the window that is summed over, in pixels.
-    pub(crate) fn window(&self) -> f32 {
-        (WINDOW_CELLS * self.cell).pow(2) as f32
+    /// Area of the window that is summed over where a cell is `cell` pixels wide, in pixels.
+    pub(crate) fn window(cell: f32) -> f32 {
+        (WINDOW_CELLS as f32 * cell).powi(2)
     }
 }
 
@@ -56,7 +56,7 @@ impl Gather {
         size: [u32; 2],
         length_px: f32,
     ) -> InkAround {
-        let cell = ((2.0 * length_px / WINDOW_CELLS as f32).round() as u32).clamp(2, 64);
+        let cell = ((2.0 * length_px / WINDOW_CELLS as f32).round() as u32).clamp(2, 256);
         let cells = size.map(|pixels| pixels.div_ceil(cell));
         let share = frame.texture("ink.share", cells, SHARE_FORMAT);
         let uniform = frame.uniform("ink.share.uniform", &[cell, 0, 0, 0]);

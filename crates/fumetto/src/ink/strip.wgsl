@@ -166,7 +166,8 @@ fn is_hidden(middle: vec2f, depth: f32, corner: Corner) -> bool {
 fn is_dashed(corner: Corner, middle: vec2f, share: f32, dash_px: vec2f) -> bool {
     let along = corner.middle.zw - corner.middle.xy;
     // Short segments go on where the one before them ended, or nearly: by the axis that they run along.
-    let across = select(middle.y, middle.x, abs(along.x) > abs(along.y));
+    let from_corner = middle + view.first_px;
+    let across = select(from_corner.y, from_corner.x, abs(along.x) > abs(along.y));
     let place = select(across, share * length(along), (corner.marks.y & DASHES_START) != 0u);
     let period = dash_px.x + dash_px.y;
     return place - floor(place / period) * period < dash_px.x;

@@ -16,7 +16,7 @@ struct Corner {
 fn clip_at_infinity(place: vec3f) -> vec4f {
     let light = lights.light[volumes.light];
     let away = (view.view_from_world * vec4f(place * light.is_point - light.vector, 0.0)).xyz;
-    return vec4f(2.0 * view.focal_px / view.size_px * away.xy, 0.0, -away.z);
+    return clip_of_view(away, 0.0);
 }
 
 @fragment

@@ -2,7 +2,7 @@
 
 use super::{Backdrop, CEL_FORMAT};
 use crate::{
-    gpu::{Frame, Gpu, RasterPipeline, Target, Transient, linear_sampler, shader},
+    gpu::{Frame, Gpu, RasterPipeline, Region, Target, Transient, linear_sampler, shader},
     ink::InkAround,
     shapes::puffs::Subject,
 };
@@ -26,14 +26,26 @@ pub(crate) struct Compose {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Inked<'a> {
     pub(crate) ink: &'a Transient,
+    /// In what is drawn.
     pub(crate) around: &'a InkAround,
+    /// In the whole picture, where that is known from elsewhere, and the side of its cells in samples of what
+    /// is drawn.
+    pub(crate) known: Option<(&'a InkAround, f32)>,
+}
+
+/// What is drawn of a picture, and how finely.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Sheet {
+    pub(crate) region: Region,
+    /// Along each side of a pixel.
+    pub(crate) samples: u32,
 }
 
 /// What a cel is laid over.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Under<'a> {
     Backdrop(&'a Backdrop),
-    /// The picture so far.
+    /// The picture so far, as large as what is drawn.
     Picture(&'a wgpu::TextureView),
 }
 
@@ -45,17 +57,43 @@ struct ComposeUniform {
     cell: f32,
     window: f32,
     size_px: [f32; 2],
-    pad: [u32; 2],
+    laid_px: [f32; 2],
+    first_px: [f32; 2],
+    around_cell: f32,
+    pad: u32,
 }
 
 impl ComposeUniform {
-    fn new(size: [u32; 2]) -> Self {
-        let size_px = size.map(|pixels| pixels as f32);
-        Self { samples: 1, under: 0, cell: 1.0, window: 1.0, size_px, pad: [0; 2] }
+    fn new(Sheet { region, samples }: Sheet, under: Under<'_>) -> Self {
+        let pixels = |side: [u32; 2]| side.map(|side| (side / samples) as f32);
+        let (size_px, laid_px) = match under {
+            Under::Backdrop(_) => (pixels(region.picture), pixels(region.first)),
+            Under::Picture(_) => (pixels(region.size), [0.0; 2]),
+        };
+        let first_px = region.first.map(|side| side as f32);
+        let mode = under.image().map_or(0, |(mode, _)| mode);
+        let (cell, window, around_cell) = (1.0, 1.0, 1.0);
+        Self { samples, under: mode, cell, window, size_px, laid_px, first_px, around_cell, pad: 0 }
     }
 
-    fn inked(self, around: &InkAround) -> Self {
-        Self { cell: around.cell as f32, window: around.window(), ..self }
+    /// Of what is drawn alone, if nothing is known of the rest.
+    fn inked(self, Inked { around, known, .. }: Inked<'_>) -> Self {
+        let cell = around.cell as f32;
+        match known {
+            Some((_, around_cell)) => {
+                Self { cell, around_cell, window: InkAround::window(around_cell), ..self }
+            }
+            None => {
+                Self { cell, around_cell: cell, window: InkAround::window(cell), first_px: [0.0; 2], ..self }
+            }
+        }
+    }
+}
+
+impl<'a> Inked<'a> {
+    /// How much ink there is around.
+    fn around(&self) -> &'a Transient {
+        &self.known.map_or(self.around, |(known, _)| known).layer
     }
 }
 
@@ -73,19 +111,18 @@ impl Compose {
         }
     }
 
-    /// Lays `cel` and its ink over `under` into `target`; `samples` of the cel's make a side of its pixels.
+    /// Lays `cel` and its ink over `under` into `target`.
     pub(crate) fn record(
         &self,
         frame: &mut Frame<'_>,
         subject: Subject<'_>,
-        (cel, Inked { ink, around }): (&Transient, Inked<'_>),
+        (cel, inked): (&Transient, Inked<'_>),
         under: Under<'_>,
-        samples: u32,
+        sheet: Sheet,
         target: &wgpu::TextureView,
     ) {
-        let (mode, image) = under.image().map_or((0, &**cel), |(mode, image)| (mode, image));
-        let size = [cel.texture().width(), cel.texture().height()].map(|side| side / samples);
-        let uniform = ComposeUniform { samples, under: mode, ..ComposeUniform::new(size).inked(around) };
+        let image = under.image().map_or(&**cel, |(_, image)| image);
+        let uniform = ComposeUniform::new(sheet, under).inked(inked);
         let uniform = frame.uniform("tone.compose.uniform", &uniform);
         frame.fullscreen(
             "tone.compose",
@@ -95,32 +132,31 @@ impl Compose {
                 uniform.as_entire_binding(),
                 subject.pens.as_entire_binding(),
                 wgpu::BindingResource::TextureView(cel),
-                wgpu::BindingResource::TextureView(ink),
-                wgpu::BindingResource::TextureView(&around.layer),
+                wgpu::BindingResource::TextureView(inked.ink),
+                wgpu::BindingResource::TextureView(inked.around()),
                 wgpu::BindingResource::TextureView(image),
                 wgpu::BindingResource::Sampler(&self.sampler),
             ],
         );
     }
 
-    /// Lays `under` into `target`, a picture of `size` that is then painted straight into.
+    /// Lays `under` into `target`, a picture that is then painted straight into.
     pub(crate) fn lay(
         &self,
         frame: &mut Frame<'_>,
         under: Under<'_>,
-        size: [u32; 2],
+        sheet: Sheet,
         target: &wgpu::TextureView,
     ) {
         let clear = match under {
             Under::Backdrop(Backdrop::Colour(colour, _)) => Some(*colour),
             _ => None,
         };
-        let Some((mode, image)) = under.image().filter(|_| clear.is_none()) else {
+        let Some((_, image)) = under.image().filter(|_| clear.is_none()) else {
             let clear = clear.unwrap_or(wgpu::Color::TRANSPARENT);
             return frame.clear("tone.lay", Target::colour(target, Some(clear)));
         };
-        let uniform = ComposeUniform { under: mode, ..ComposeUniform::new(size) };
-        let uniform = frame.uniform("tone.lay.uniform", &uniform);
+        let uniform = frame.uniform("tone.lay.uniform", &ComposeUniform::new(sheet, under));
         frame.fullscreen(
             "tone.lay",
             &self.lay,
@@ -133,16 +169,18 @@ impl Compose {
         );
     }
 
-    /// Draws lines into `target`, a picture of `size` that is painted straight into.
+    /// Draws lines into `target`, a picture that is painted straight into.
     pub(crate) fn lines(
         &self,
         frame: &mut Frame<'_>,
         subject: Subject<'_>,
-        Inked { ink, around }: Inked<'_>,
-        size: [u32; 2],
+        inked: Inked<'_>,
+        sheet: Sheet,
         target: &wgpu::TextureView,
     ) {
-        let uniform = frame.uniform("tone.lines.uniform", &ComposeUniform::new(size).inked(around));
+        let nothing = Under::Backdrop(&Backdrop::Transparent);
+        let uniform = frame.uniform("tone.lines.uniform", &ComposeUniform::new(sheet, nothing).inked(inked));
+        let size = sheet.region.size;
         let tiles = size[0].div_ceil(TILE_PX) * size[1].div_ceil(TILE_PX);
         frame.raster(
             "tone.lines",
@@ -151,9 +189,9 @@ impl Compose {
             &[
                 uniform.as_entire_binding(),
                 subject.pens.as_entire_binding(),
-                wgpu::BindingResource::TextureView(ink),
-                wgpu::BindingResource::TextureView(&around.share),
-                wgpu::BindingResource::TextureView(&around.layer),
+                wgpu::BindingResource::TextureView(inked.ink),
+                wgpu::BindingResource::TextureView(&inked.around.share),
+                wgpu::BindingResource::TextureView(inked.around()),
                 wgpu::BindingResource::Sampler(&self.sampler),
             ],
             |pass| pass.draw(0..6 * tiles, 0..1),
@@ -179,5 +217,5 @@ mod tests {
     use super::*;
     use crate::gpu::layout_test;
 
-    layout_test!(lies_as_its_twin: ComposeUniform, "Compose" of "tone/compose" { samples, under, cell, window, size_px });
+    layout_test!(lies_as_its_twin: ComposeUniform, "Compose" of "tone/compose" { samples, under, cell, window, size_px, laid_px, first_px, around_cell });
 }

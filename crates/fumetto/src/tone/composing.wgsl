@@ -4,10 +4,15 @@ struct Compose {
     samples: i32,
     // 0 nothing, 1 an image stretched over the picture, 2 one scaled to cover it.
     under: u32,
-    // Pixels along a cell of the layers that tell how much ink is around.
+    // Pixels along a cell of the layer that tells where there is ink.
     cell: f32,
     // Area of the gathering window, in pixels.
     window: f32,
-    // Of the picture, in pixels.
+    // Of what the image is laid over, in pixels, and where in it what is drawn begins.
     size_px: vec2f,
+    laid_px: vec2f,
+    // Where in the picture what is drawn begins, in samples.
+    first_px: vec2f,
+    // Pixels along a cell of the layer that tells how much ink is around.
+    around_cell: f32,
 }

@@ -6,7 +6,7 @@ fn line_at(at: vec2i) -> vec4f {
         return vec4f(0.0);
     }
     let pen = pens[mark.x - 1u];
-    let cells = vec2f(at) / (compose.cell * vec2f(textureDimensions(around)));
+    let cells = (vec2f(at) + compose.first_px) / (compose.around_cell * vec2f(textureDimensions(around)));
     let inked_px = textureSampleLevel(around, linear, cells, 0.0).x * compose.window;
     // A line is at least as wide as it is where the light thins it.
     let kept = inked_px >= pen.shortest_px * pen.thinnest_px * 0.7;

@@ -11,7 +11,7 @@ mod tones;
 
 pub(crate) use backdrop::Backdrop;
 pub(crate) use canvas::Canvas;
-pub(crate) use compose::{Compose, Inked, Under};
+pub(crate) use compose::{Compose, Inked, Sheet, Under};
 pub(crate) use copied::Copied;
 pub(crate) use flat::{CEL_FORMAT, Flat};
 pub(crate) use ramps::Ramps;

@@ -6,6 +6,7 @@ mod cels;
 mod colours;
 mod edges;
 mod errors;
+mod exports;
 mod ink;
 mod ink_methods;
 mod light;

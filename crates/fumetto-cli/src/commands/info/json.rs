@@ -3,7 +3,7 @@
 use fumetto_scene::{Matter, Object, Ramp, Scene, Shading, Style};
 use serde_json::{Value, json};
 
-use super::{Load, background, duration_secs, hex, light_kind, sum};
+use super::{Load, background, duration_secs, hex, is_by_tiles, light_kind, sum};
 
 /// What is in the scene `name`, and what its objects hold.
 pub(super) fn of(name: &str, scene: &Scene, loads: &[Load]) -> Value {
@@ -18,6 +18,7 @@ pub(super) fn of(name: &str, scene: &Scene, loads: &[Load]) -> Value {
         "scene": name,
         "size": scene.output.size,
         "antialias": scene.output.antialias,
+        "tiles": is_by_tiles(scene),
         "frames": scene.time.frames,
         "fps": scene.time.fps,
         "seconds": duration_secs(scene),

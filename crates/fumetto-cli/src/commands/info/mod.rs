@@ -6,7 +6,7 @@ mod text;
 use std::process::ExitCode;
 
 use anyhow::Context as _;
-use fumetto::Assets as _;
+use fumetto::{Assets as _, Tiling};
 use fumetto_formats::{ModelOptions, is_sequence, read_model, read_particles, sequence_path};
 use fumetto_scene::limits::PARTICLE_BYTES;
 use fumetto_scene::{Background, Light, LightKind, Matter, Object, Particle, Scene, SurfaceRoom};
@@ -80,6 +80,12 @@ fn loads(scene: &Scene, folder: &SceneFolder) -> anyhow::Result<Vec<Load>> {
 fn duration_secs(scene: &Scene) -> f64 {
     let [first, last] = scene.time.frames;
     (f64::from(last - first) + 1.0) / f64::from(scene.time.fps)
+}
+
+/// Whether the scene's picture is too large to be drawn at once by `WebGPU`'s default limits.
+fn is_by_tiles(scene: &Scene) -> bool {
+    let samples = scene.output.size.map(|pixels| pixels * scene.output.antialias);
+    !Tiling::default().takes(samples, wgpu::Limits::default().max_texture_dimension_2d)
 }
 
 /// Of all objects together.

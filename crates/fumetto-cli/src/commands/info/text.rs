@@ -5,18 +5,19 @@ use fumetto_scene::limits::PARTICLE_BYTES;
 use fumetto_scene::{Light, Matter, Object, Ramp, Scene, Style, SurfaceRoom, Width};
 use indicatif::{BinaryBytes, HumanCount};
 
-use super::{Load, background, duration_secs, hex, light_kind, sum};
+use super::{Load, background, duration_secs, hex, is_by_tiles, light_kind, sum};
 
 /// What is in the scene `name`, and what its objects hold.
 pub(super) fn of(name: &str, scene: &Scene, loads: &[Load]) -> String {
     let ([width, height], samples) = (scene.output.size, scene.output.antialias);
+    let tiles = if is_by_tiles(scene) { ", drawn by tiles" } else { "" };
     let ([first, last], time) = (scene.time.frames, &scene.time);
     let cameras: Vec<&str> = scene.cameras.iter().map(|camera| camera.name.as_str()).collect();
     let lights: Vec<String> = scene.lights.iter().map(light_words).collect();
     let lights = if lights.is_empty() { "none".to_owned() } else { lights.join(", ") };
     let mut lines = vec![
         name.to_owned(),
-        format!("  picture     {width} x {height} pixels, {samples} x {samples} samples each"),
+        format!("  picture     {width} x {height} pixels, {samples} x {samples} samples each{tiles}"),
         format!("  frames      {first} to {last}, {} a second: {:.1} s", time.fps, duration_secs(scene)),
         format!("  drawn       every {}, simulated in {}", counted(time.hold, "frame"), steps(time.substeps)),
         format!("  cameras     {}", cameras.join(", ")),

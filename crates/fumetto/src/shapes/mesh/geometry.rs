@@ -135,7 +135,7 @@ impl Geometry {
     }
 
     /// An object's vertices.
-    fn vertices(&self, object: usize) -> Range<usize> {
+    pub(crate) fn vertices(&self, object: usize) -> Range<usize> {
         let start = |object: u32| {
             let is_before = |source: &Source| self.parts[source.part as usize].object < object;
             self.sources.partition_point(is_before)

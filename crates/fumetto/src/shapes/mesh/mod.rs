@@ -20,11 +20,12 @@ pub(crate) use body::Body;
 pub(crate) use edges::candidates;
 #[cfg(test)]
 pub(crate) use edges::{Candidate, bit};
-pub(crate) use geometry::Geometry;
+pub(crate) use geometry::{Geometry, Triangle};
 pub(crate) use place::Place;
 pub(crate) use reserved::Reserved;
 pub(crate) use scene::{Casters, MeshError, MeshScene};
 pub(crate) use shells::Shells;
+pub(crate) use smooth::unpacked;
 
 /// Bytes of a `Vertex` of `mesh.wgsl`.
 const VERTEX_BYTES: u64 = 16;

@@ -95,7 +95,7 @@ impl Net {
 }
 
 /// As `octahedral_unpacked` of `octahedral.wgsl`.
-pub(super) fn unpacked(packed: u32) -> Vec3 {
+pub(crate) fn unpacked(packed: u32) -> Vec3 {
     let share = |bits: u32| f32::from(bits as u16 as i16) / 32767.0;
     let (u, v) = (share(packed), share(packed >> 16));
     let z = 1.0 - u.abs() - v.abs();

@@ -19,5 +19,5 @@ pub(crate) use body::{Body, QUADS};
 pub(crate) use form::Form;
 pub(crate) use normal::Normal;
 pub(crate) use occlusion::{FRONT, INK, Occlusion, Pyramid, REST};
-pub(crate) use present::{Placement, Present, still_puffs};
+pub(crate) use present::{Placement, Present, Puff, still_puffs};
 pub(crate) use scene::{PuffObject, PuffScene, Subject};

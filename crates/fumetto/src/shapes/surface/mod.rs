@@ -41,7 +41,7 @@ mod scene;
 #[cfg(test)]
 mod tests;
 
-pub(crate) use refusal::SurfaceTooLarge;
+pub(crate) use refusal::{SurfaceTooLarge, shortage};
 pub(crate) use scene::{SurfaceObject, SurfaceScene};
 
 use buffers::Workspace;

@@ -29,3 +29,19 @@ pub(super) fn check(gpu: &Gpu, room: SurfaceRoom) -> Result<(), SurfaceTooLarge>
         Err(SurfaceTooLarge { what, count, needed: count * bytes, allowed })
     })
 }
+
+/// What was left out of a surface for want of room, by the bits of `lattice.wgsl`; reads on from its name.
+pub(crate) fn shortage(overflow: u32) -> Option<&'static str> {
+    const COARSENED: u32 = 1;
+    if overflow & !COARSENED != 0 {
+        Some(
+            "has holes: it did not fit the room that was planned for it. Choose fewer `subdivisions` or particles",
+        )
+    } else if overflow != 0 {
+        Some(
+            "has larger cells than were asked for: its particles are too far apart. Choose fewer `subdivisions`",
+        )
+    } else {
+        None
+    }
+}

@@ -1,0 +1,92 @@
+use std::path::Path;
+
+use fumetto_formats::{
+    Solid, write_glb, write_mtl, write_obj, write_particles_csv, write_particles_ply, write_solids_ply,
+};
+use fumetto_scene::Particle;
+use serde_json::{Value, json};
+
+use super::Plan;
+use crate::args::{Format, What};
+use crate::output;
+use crate::stage::Stage;
+
+/// What a file will hold.
+pub(super) enum Contents {
+    Meshes { solids: Vec<Solid>, notes: Vec<String> },
+    Particles(Vec<Particle>),
+}
+
+impl Contents {
+    /// Of the moment that `stage` is at.
+    pub(super) fn of(plan: &Plan, stage: &Stage) -> anyhow::Result<Self> {
+        if plan.what == What::Particles {
+            let mut particles = Vec::new();
+            for &object in &plan.objects {
+                particles.extend(stage.particles(object)?);
+            }
+            return Ok(Self::Particles(particles));
+        }
+        let (mut solids, mut notes) = (Vec::new(), Vec::new());
+        for &object in &plan.objects {
+            if let Some(export) = stage.solid(object)? {
+                solids.push(export.solid);
+                notes.extend(export.notes);
+            }
+        }
+        Ok(Self::Meshes { solids, notes })
+    }
+
+    pub(super) fn notes(&self) -> &[String] {
+        match self {
+            Self::Meshes { notes, .. } => notes,
+            Self::Particles(_) => &[],
+        }
+    }
+
+    pub(super) fn write(&self, plan: &Plan, file: &str) -> anyhow::Result<()> {
+        let path = Path::new(file);
+        match self {
+            Self::Particles(particles) if plan.target.format == Format::Csv => {
+                output::write(path, |draft| write_particles_csv(particles, draft))
+            }
+            Self::Particles(particles) => output::write(path, |draft| write_particles_ply(particles, draft)),
+            Self::Meshes { solids, .. } => match plan.target.format {
+                Format::Obj => write_obj_and_mtl(solids, path),
+                Format::Ply => output::write(path, |draft| write_solids_ply(solids, draft)),
+                _ => output::write(path, |draft| write_glb(solids, draft)),
+            },
+        }
+    }
+
+    /// In words, and for programs.
+    pub(super) fn told(&self) -> (String, Value) {
+        match self {
+            Self::Particles(particles) => {
+                (format!("{} particles", particles.len()), json!({ "particles": particles.len() }))
+            }
+            Self::Meshes { solids, notes } => {
+                let triangles: usize = solids.iter().map(Solid::triangle_count).sum();
+                let vertices: usize = solids.iter().map(|solid| solid.positions.len()).sum();
+                let objects: Vec<Value> = solids.iter().map(solid_json).collect();
+                let words = format!("{triangles} triangles, {vertices} vertices");
+                (
+                    words,
+                    json!({ "triangles": triangles, "vertices": vertices, "objects": objects, "notes": notes }),
+                )
+            }
+        }
+    }
+}
+
+fn solid_json(solid: &Solid) -> Value {
+    json!({ "name": solid.name, "triangles": solid.triangle_count(), "vertices": solid.positions.len() })
+}
+
+/// The materials come first: where the .obj is, they are.
+fn write_obj_and_mtl(solids: &[Solid], path: &Path) -> anyhow::Result<()> {
+    let library = path.with_extension("mtl");
+    let name = library.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    output::write(&library, |draft| write_mtl(solids, draft))?;
+    output::write(path, |draft| write_obj(solids, &name, draft))
+}

@@ -1,0 +1,85 @@
+//! What `fumetto export` writes.
+
+use fumetto_formats::{Model, ModelOptions, read_model, read_particles};
+use serde_json::Value;
+
+use crate::run::{Folder, SMOKE};
+
+/// With the smoke of `smoke.toml` under a skin in `skin.toml`.
+fn folder() -> Folder {
+    let folder = Folder::with_smoke();
+    let skin = "kind = \"smoke\"\nshape = { surface = { subdivisions = 12 } }";
+    folder.put("skin.toml", SMOKE.replace("kind = \"smoke\"", skin));
+    folder
+}
+
+fn model(folder: &Folder, name: &str) -> Model {
+    let read = &mut |beside: &str| Ok(folder.bytes(beside));
+    read_model(name, &folder.bytes(name), ModelOptions::default(), read).unwrap()
+}
+
+fn lines(out: &str) -> Vec<Value> {
+    out.lines().map(|line| serde_json::from_str(line).unwrap()).collect()
+}
+
+#[test]
+fn meshes_are_the_same_in_all_formats() {
+    let folder = folder();
+    for name in ["a.glb", "a.obj", "a.ply"] {
+        let ran = folder.run(&["export", "skin.toml", "-o", name, "--frame", "4", "--json"]).ends(0);
+        let [told, done] = &lines(&ran.out)[..] else { panic!("{}", ran.out) };
+        let triangles = told["triangles"].as_u64().unwrap();
+        assert!(triangles > 100);
+        assert_eq!((told["file"].as_str(), told["frame"].as_u64()), (Some(name), Some(4)));
+        assert_eq!(told["objects"][0]["name"], "smoke");
+        assert_eq!((done["done"].as_bool(), done["files"].as_u64()), (Some(true), Some(1)));
+        if name != "a.ply" {
+            let model = model(&folder, name);
+            assert_eq!(model.triangle_count(), triangles, "{name}");
+            assert_eq!(model.materials[0].name, "smoke");
+        }
+        ran.says(&[&format!("wrote {name}: {triangles} triangles")]);
+    }
+    assert_eq!(folder.files(), ["a.glb", "a.mtl", "a.obj", "a.ply", "skin.toml"]);
+    assert!(folder.bytes("a.obj").starts_with(b"# Fumetto: metres, +Y up\nmtllib a.mtl\n"));
+}
+
+#[test]
+fn sequences_hold_drawings_and_may_begin_with_nothing() {
+    let folder = folder();
+    let ran = folder.run(&["export", "skin.toml", "-o", "s.#.glb", "--frames", "0..3"]).ends(0);
+    ran.says(&["wrote s.0.glb: 0 triangles", "wrote s.3.glb"]);
+    assert_eq!(folder.bytes("s.2.glb"), folder.bytes("s.3.glb"), "drawn on twos");
+    assert_ne!(folder.bytes("s.0.glb"), folder.bytes("s.2.glb"));
+    folder.run(&["export", "skin.toml", "-o", "last.glb"]).ends(0);
+    folder.run(&["export", "skin.toml", "-o", "five.glb", "--frame", "5"]).ends(0);
+    assert_eq!(folder.bytes("last.glb"), folder.bytes("five.glb"), "one file shows the last frame");
+}
+
+#[test]
+fn particles_are_read_back() {
+    let folder = folder();
+    folder.run(&["export", "smoke.toml", "-o", "p.csv", "--frame", "4"]).ends(0).says(&["particles"]);
+    folder.run(&["export", "smoke.toml", "-o", "p.ply", "--frame", "4", "--what", "particles"]).ends(0);
+    let [csv, ply] = ["p.csv", "p.ply"].map(|name| read_particles(name, &folder.bytes(name)).unwrap());
+    assert_eq!(csv, ply);
+    assert_eq!(csv.particles.len(), 16, "8 at once, and 20 a second for 0.4 s");
+    assert!(csv.particles.iter().all(|particle| particle.radius == 0.5));
+}
+
+#[test]
+fn objects_without_what_is_asked_for() {
+    let folder = folder();
+    folder.run(&["export", "smoke.toml", "-o", "a.glb"]).ends(1).says(&[
+        "smoke.toml",
+        "puffs have none",
+        "--what particles",
+    ]);
+    folder
+        .run(&["export", "skin.toml", "-o", "a.glb", "--object", "smoke", "--object", "fog"])
+        .ends(2)
+        .says(&["--object fog", "it has smoke"]);
+    let hidden = folder.run(&["export", "skin.toml", "-o", "a.glb", "--set", "object.smoke.visible=false"]);
+    hidden.ends(1).says(&["no object"]);
+    assert_eq!(folder.files(), ["skin.toml"]);
+}
