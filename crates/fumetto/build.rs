@@ -146,6 +146,15 @@ const PROGRAMS: &[(&str, &[&str])] = &[
         ],
     ),
     (
+        "shapes/surface/adjacent",
+        &[
+            "shapes/surface/recipe",
+            "shapes/surface/lattice",
+            "shapes/surface/cell",
+            "shapes/surface/adjacent",
+        ],
+    ),
+    (
         "shapes/surface/counters",
         &["shapes/surface/recipe", "shapes/surface/lattice", "shapes/surface/counters"],
     ),
@@ -186,7 +195,20 @@ const PROGRAMS: &[(&str, &[&str])] = &[
             "light/lights",
             "light/volumes",
             "light/facing",
+            "light/faces",
             "light/extrude",
+        ],
+    ),
+    (
+        "light/extrude_closed",
+        &[
+            "gpu/view",
+            "shapes/mesh/mesh",
+            "light/lights",
+            "light/volumes",
+            "light/facing",
+            "light/faces",
+            "light/extrude_closed",
         ],
     ),
     (
@@ -195,15 +217,7 @@ const PROGRAMS: &[(&str, &[&str])] = &[
     ),
     (
         "light/side",
-        &[
-            "gpu/view",
-            "shapes/mesh/mesh",
-            "shapes/mesh/shells",
-            "light/lights",
-            "light/volumes",
-            "light/face",
-            "light/side",
-        ],
+        &["gpu/view", "shapes/mesh/mesh", "light/lights", "light/volumes", "light/face", "light/side"],
     ),
     ("light/counted", &["gpu/fullscreen", "shapes/mesh/mesh", "light/facing", "light/counted"]),
     ("light/settle", &["gpu/fullscreen", "light/settle"]),

@@ -14,6 +14,7 @@ mod number;
 mod report;
 mod scene;
 mod shadows;
+mod skins;
 mod step;
 mod subsystem;
 mod surface;
@@ -28,8 +29,8 @@ use report::{Report, Row, Table};
 use subsystem::Subsystem;
 
 /// Everything that is measured, in the order of the report.
-const SUBSYSTEMS: [&Subsystem; 5] =
-    [&step::STEP, &surface::SURFACE, &draw::DRAW, &edges::EDGES, &shadows::SHADOWS];
+const SUBSYSTEMS: [&Subsystem; 6] =
+    [&step::STEP, &surface::SURFACE, &draw::DRAW, &edges::EDGES, &shadows::SHADOWS, &skins::SKINS];
 
 fn main() -> anyhow::Result<()> {
     let args = Args::parse();

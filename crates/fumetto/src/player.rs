@@ -116,10 +116,7 @@ impl Player {
         }
         let puffs = place(gpu, &scene, &mut objects, atlas)?;
         let surfaces = surfaces(gpu, &scene, &objects)?;
-        let shells = Shells::new(&geometry, |object| {
-            let object = &scene.objects[object as usize];
-            object.visible && object.style.shadow.on && scene.lights.iter().any(|light| light.shadow)
-        });
+        let shells = Shells::new(&geometry, |object| scene.casts(&scene.objects[object as usize]));
         let meshes = MeshScene::new(gpu, &geometry, &shells, &candidates(&geometry, &crease_degs(&scene)))?;
         let ramps = load_ramps(gpu, &scene, &*assets)?;
         let backdrop = load_backdrop(gpu, &scene, &*assets)?;

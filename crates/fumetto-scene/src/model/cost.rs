@@ -29,6 +29,12 @@ impl Scene {
         };
         self.objects.iter().map(cost).collect()
     }
+
+    /// Whether an object throws shadows.
+    #[must_use]
+    pub fn casts(&self, object: &Object) -> bool {
+        object.visible && object.style.shadow.on && self.lights.iter().any(|light| light.shadow)
+    }
 }
 
 impl Time {

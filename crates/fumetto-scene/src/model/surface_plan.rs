@@ -169,6 +169,13 @@ impl SurfaceRoom {
         self.parts().iter().map(|(_, count, bytes)| count * bytes).sum()
     }
 
+    /// Bytes that it takes besides, to throw shadows: for each triangle three neighbours, how it stands to the
+    /// light, its cap, and one side for every two triangles.
+    #[must_use]
+    pub fn shadow_bytes(&self) -> u64 {
+        u64::from(self.triangles) * (12 + 4 + 4 + 4)
+    }
+
     /// What there is, how many, and bytes for each.
     #[must_use]
     pub fn parts(&self) -> [(&'static str, u64, u64); 6] {

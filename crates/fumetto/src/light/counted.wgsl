@@ -22,7 +22,6 @@ fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
     }
     let id = textureLoad(id_layer, px, 0).x;
     let number = id & ~TRIANGLE_BIT;
-    // What the device makes throws no shadow, and comes after all that might.
     if id != number && number < arrayLength(&facings) && (facings[number] & AT_TERMINATOR) != 0u {
         return shadow;
     }

@@ -5,8 +5,6 @@
 // light. Where two of them meet, their sides cancel; what is left over is drawn as often as it is left over
 // (Kim, Kim & Turk 2008, "A shadow-volume algorithm for opaque and transparent nonmanifold casters"). So
 // volumes are closed whatever the triangles are: open, crossing, or three and more on an edge.
-//
-// Lists are filled in whatever order invocations come: only sums of whole numbers are made of them.
 
 @group(0) @binding(1) var<uniform> lights: Lights;
 @group(0) @binding(2) var<uniform> volumes: Volumes;
@@ -14,19 +12,10 @@
 @group(0) @binding(4) var<storage, read> triangles: array<Triangle>;
 @group(0) @binding(5) var<storage, read> casting: array<u32>;
 @group(0) @binding(6) var<storage, read> edges: array<Edge>;
-@group(0) @binding(7) var<storage, read_write> facings: array<u32>;
-@group(0) @binding(8) var<storage, read_write> caps: array<u32>;
-@group(0) @binding(9) var<storage, read_write> sides: array<u32>;
-// Arguments of three indirect draws; each begins with the number of vertices.
-@group(0) @binding(10) var<storage, read_write> draws: array<atomic<u32>, 12>;
 
 // Sine of the angle up to which a facet that looks away from the light may still be lit in parts, where its
 // shading is smooth: that between the facets of a ball of 18 segments.
 const TERMINATOR: f32 = 0.34;
-
-// Sine of the angle up to which light only grazes a facet, which then keeps none away: the sides of its volume
-// would lie in its own plane, or in that of the triangle next to it.
-const EDGE_ON: f32 = 1e-3;
 
 @compute @workgroup_size(256)
 fn list_caps(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: vec3u, @builtin(local_invocation_index) lane: u32) {
@@ -47,11 +36,7 @@ fn list_caps(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) group
     let is_lit_seen = (lit > 0.0) == (seen > 0.0);
     var facing = select(select(0u, BACKWARD, unlit_casts), FORWARD, lit_casts);
     if facing != 0u {
-        // First come those whose lit side is seen.
-        let draw = select(4u, 0u, is_lit_seen);
-        let first = select(volumes.triangles, 0u, is_lit_seen);
-        let at = first + atomicAdd(&draws[draw], 3u) / 3u;
-        caps[at] = number | select(0u, TURNED, unlit_casts);
+        add_cap(number, unlit_casts, is_lit_seen);
     }
     // Of closed surfaces only one side casts, and no facet shadows another at the terminator.
     let is_open = (casting[number] & (LIT_CASTS | UNLIT_CASTS)) == (LIT_CASTS | UNLIT_CASTS);
@@ -77,12 +62,7 @@ fn list_sides(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) grou
         let second = sides_of(edge.sides.y & ~SAME_WAY);
         left_over += select(-second, second, (edge.sides.y & SAME_WAY) != 0u);
     }
-    if left_over == 0 {
-        return;
-    }
-    let copies = u32(abs(left_over));
-    let first = atomicAdd(&draws[8], copies * volumes.side_vertices) / volumes.side_vertices;
-    for (var copy = 0u; copy < copies; copy++) {
-        sides[first + copy] = number | select(0u, TURNED, left_over < 0);
+    for (var copy = 0; copy < abs(left_over); copy++) {
+        add_side(select(edge.ends, edge.ends.yx, left_over < 0));
     }
 }

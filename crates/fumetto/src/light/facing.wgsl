@@ -3,5 +3,9 @@
 const FORWARD: u32 = 1u;
 const BACKWARD: u32 = 2u;
 
+// Sine of the angle up to which light only grazes a facet, which then keeps none away: the sides of its volume
+// would lie in its own plane, or in that of the triangle next to it.
+const EDGE_ON: f32 = 1e-3;
+
 // It looks away from the light by so little that smooth shading may still be lit there.
 const AT_TERMINATOR: u32 = 4u;

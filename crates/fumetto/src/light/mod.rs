@@ -1,5 +1,6 @@
 //! Light: where it comes from, and what keeps it away.
 
+mod extrude;
 mod lights;
 mod shadows;
 mod soften;

@@ -7,5 +7,5 @@ struct Volumes {
     side_vertices: u32,
 }
 
-// On a cap: it is seen by the light from its back. On a side: it runs backward along its edge.
+// On a cap: it is seen by the light from its back.
 const TURNED: u32 = 0x80000000u;

@@ -18,5 +18,6 @@ mod relief;
 mod shadings;
 mod shadows;
 mod stage;
+mod surface_shadows;
 mod surfaces;
 mod time;

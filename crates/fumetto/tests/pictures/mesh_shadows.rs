@@ -10,16 +10,16 @@ use crate::{
     stage::{CORE, Files, PX_PER_METRE, Picture, Rgb, SIDE, Stage, engine, picture_at, style},
 };
 
-const SHADOW: Rgb = [0x40, 0x40, 0x60];
-const LIT: Rgb = [0xf0, 0xf0, 0xe0];
+pub(crate) const SHADOW: Rgb = [0x40, 0x40, 0x60];
+pub(crate) const LIT: Rgb = [0xf0, 0xf0, 0xe0];
 const CASTER: Rgb = [0xff, 0, 0];
 
-const RED: &str = "style = { tones = [\"#ff0000\"] }";
+pub(crate) const RED: &str = "style = { tones = [\"#ff0000\"] }";
 
 /// A sun that shines down to the right.
-const SUN: &str = "kind = \"sun\", direction = [1, 0, -1]";
+pub(crate) const SUN: &str = "kind = \"sun\", direction = [1, 0, -1]";
 
-fn two_tones() -> String {
+pub(crate) fn two_tones() -> String {
     let tones = "tones = [{ colour = \"#404060\", from = 0 }, { colour = \"#f0f0e0\", from = 0.01 }]";
     style(&[], "").replace("tones = []", tones).replace("shadow = { on = false }", "shadow = { on = true }")
 }
@@ -48,7 +48,7 @@ fn place((x, y): (u32, u32)) -> Vec2 {
 /// Asserts that the wall is dark just where `expected` says, except a hand's breadth (a pixel) from borders, and
 /// that there are at least `least` dark pixels.
 #[track_caller]
-fn assert_dark(picture: &Picture, least: usize, expected: impl Fn(Vec2) -> bool) {
+pub(crate) fn assert_dark(picture: &Picture, least: usize, expected: impl Fn(Vec2) -> bool) {
     let margin = 1.0 / PX_PER_METRE;
     let mut wrong = Vec::new();
     for at in picture.places() {

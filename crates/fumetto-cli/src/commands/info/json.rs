@@ -50,7 +50,7 @@ fn object_json(object: &Object, load: &Load) -> Value {
         "file": file,
         "particles": load.particles,
         "triangles": load.triangles,
-        "surface": load.surface.map(|room| json!({ "triangles": room.triangles, "bytes": room.bytes() })),
+        "surface": load.surface.map(|room| json!({ "triangles": room.triangles, "bytes": load.surface_bytes() })),
         "bytes": load.bytes(),
         "style": style_json(&object.style),
     })

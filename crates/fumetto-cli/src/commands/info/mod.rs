@@ -38,6 +38,7 @@ struct Load {
     triangles: u64,
     /// Room for a surface round the particles.
     surface: Option<SurfaceRoom>,
+    casts: bool,
 }
 
 impl Load {
@@ -45,12 +46,18 @@ impl Load {
         let plan = object.shape.surface().map(|surface| {
             if is_sequence(path) { surface.plan_sequence(particles) } else { surface.plan(particles) }
         });
-        Self { particles: particles.len() as u64, triangles: 0, surface: plan.map(|plan| plan.room) }
+        let surface = plan.map(|plan| plan.room);
+        Self { particles: particles.len() as u64, surface, ..Self::default() }
+    }
+
+    /// Bytes of the surface, and of what it throws shadows with.
+    fn surface_bytes(&self) -> u64 {
+        let shadows = |room: SurfaceRoom| if self.casts { room.shadow_bytes() } else { 0 };
+        self.surface.map_or(0, |room| room.bytes().saturating_add(shadows(room)))
     }
 
     fn bytes(&self) -> u64 {
-        let surface = self.surface.map_or(0, |room| room.bytes());
-        self.particles.saturating_mul(PARTICLE_BYTES).saturating_add(surface)
+        self.particles.saturating_mul(PARTICLE_BYTES).saturating_add(self.surface_bytes())
     }
 }
 
@@ -71,10 +78,11 @@ fn loads(scene: &Scene, folder: &SceneFolder) -> anyhow::Result<Vec<Load>> {
         }
         Matter::Still(_) | Matter::Smoke(_) => {
             let particles = cost.particles.unwrap_or_default();
-            Ok(Load { particles, triangles: 0, surface: cost.surface })
+            Ok(Load { particles, surface: cost.surface, ..Load::default() })
         }
     });
-    loads.collect()
+    let casts = scene.objects.iter().map(|object| scene.casts(object));
+    loads.zip(casts).map(|(load, casts)| Ok(Load { casts, ..load? })).collect()
 }
 
 fn duration_secs(scene: &Scene) -> f64 {

@@ -2,7 +2,7 @@
 
 use fumetto_formats::is_sequence;
 use fumetto_scene::limits::PARTICLE_BYTES;
-use fumetto_scene::{Light, Matter, Object, Ramp, Scene, Style, SurfaceRoom, Width};
+use fumetto_scene::{Light, Matter, Object, Ramp, Scene, Style, Width};
 use indicatif::{BinaryBytes, HumanCount};
 
 use super::{Load, background, duration_secs, hex, is_by_tiles, light_kind, sum};
@@ -32,7 +32,7 @@ pub(super) fn of(name: &str, scene: &Scene, loads: &[Load]) -> String {
             if object.visible { "" } else { ", hidden" }
         ));
         lines.push(load_words(&load));
-        lines.extend(load.surface.as_ref().map(surface_words));
+        lines.extend(load.surface.map(|room| surface_words(room.triangles, load.surface_bytes())));
         lines.push(format!("    style     {}", style_words(&object.style)));
     }
     let sum = sum(loads);
@@ -49,8 +49,8 @@ fn load_words(load: &Load) -> String {
     }
 }
 
-fn surface_words(room: &SurfaceRoom) -> String {
-    let (triangles, bytes) = (HumanCount(room.triangles.into()), BinaryBytes(room.bytes()));
+fn surface_words(triangles: u32, bytes: u64) -> String {
+    let (triangles, bytes) = (HumanCount(triangles.into()), BinaryBytes(bytes));
     format!("    surface   at most {triangles} triangles, {bytes} on the GPU")
 }
 

@@ -2,11 +2,18 @@
 
 use std::ops::Range;
 
-use super::{VERTEX_BYTES, geometry::Triangle};
+use super::{
+    VERTEX_BYTES,
+    geometry::Triangle,
+    scene::{MeshError, room},
+};
 use crate::gpu::Gpu;
 
 /// Records whose bytes make up what a binding's offset must be a multiple of.
 const ALIGNED: u32 = 16;
+
+/// Bytes of a triangle's neighbours: three numbers.
+const ADJACENT_BYTES: usize = 12;
 
 /// What is asked for.
 #[derive(Clone, Copy, Debug)]
@@ -28,6 +35,9 @@ pub(crate) struct Reserved {
     pub(crate) triangles: Range<u32>,
     /// `Counters` of `counters.wgsl`: begins with the arguments of an indirect draw.
     pub(crate) counters: wgpu::Buffer,
+    /// Three numbers for each triangle, where they throw shadows: of those beyond its edges, counted from the
+    /// first here.
+    pub(crate) adjacent: Option<wgpu::Buffer>,
     vertex_list: wgpu::Buffer,
     triangle_list: wgpu::Buffer,
 }
@@ -67,9 +77,22 @@ impl Reserved {
                     | wgpu::BufferUsages::COPY_SRC,
                 mapped_at_creation: false,
             }),
+            adjacent: None,
             vertex_list: vertex_list.clone(),
             triangle_list: triangle_list.clone(),
         }
+    }
+
+    /// Makes it throw shadows.
+    pub(super) fn make_caster(&mut self, gpu: &Gpu) -> Result<(), MeshError> {
+        let asked = room(gpu, "neighbours of triangles", self.triangles.len() as u64, ADJACENT_BYTES)?;
+        self.adjacent = Some(gpu.device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some("shapes.mesh.adjacent"),
+            size: asked,
+            usage: wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC,
+            mapped_at_creation: false,
+        }));
+        Ok(())
     }
 
     /// Its `Vertex`s of `mesh.wgsl`.

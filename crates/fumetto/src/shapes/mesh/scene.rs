@@ -47,20 +47,26 @@ pub(crate) struct MeshScene {
     pub(crate) casters: Option<Casters>,
 }
 
+/// Bytes of a side of a shadow volume: two numbers.
+const SIDE_BYTES: usize = 8;
+
 /// What shadow volumes are made of, and room for what is found of them for one light after another.
 #[derive(Debug)]
 pub(crate) struct Casters {
+    /// Triangles and edges of models.
     pub(crate) triangle_count: u32,
     pub(crate) edge_count: u32,
-    /// When each triangle throws a shadow.
+    /// Room for so many caps.
+    pub(crate) cap_count: u32,
+    /// When each triangle of a model throws a shadow.
     pub(crate) casting: wgpu::Buffer,
     /// `Edge`s of `shells.wgsl`.
     pub(crate) edges: wgpu::Buffer,
     /// How each triangle stands to the light.
     pub(crate) facings: wgpu::Buffer,
-    /// The triangles with a volume: those whose lit side is seen, and from the middle on the others.
+    /// The triangles with a volume: those whose lit side is seen, and from the end on the others.
     pub(crate) caps: wgpu::Buffer,
-    /// The edges at which a volume has a side, as often as it has.
+    /// The edges at which a volume has a side, as often as it has, as pairs of vertices.
     pub(crate) sides: wgpu::Buffer,
 }
 
@@ -100,8 +106,11 @@ impl MeshScene {
             let firsts = firsts.map(|first| first as u32);
             Reserved::new(gpu, reservation, firsts, [&vertices, &triangle_list])
         });
+        let mut reserved: Vec<_> = reserved.collect();
+        for (surface, _) in reserved.iter_mut().zip(&shells.surfaces).filter(|(_, casts)| **casts) {
+            surface.make_caster(gpu)?;
+        }
         let scene = Self {
-            reserved: reserved.collect(),
             sources: buffer("shapes.mesh.sources", source_bytes),
             vertices,
             source_count: sources.len() as u32,
@@ -115,7 +124,8 @@ impl MeshScene {
             edges: EdgeScene::new(gpu, candidates),
             objects: geometry.objects.clone(),
             has_holes: geometry.has_holes,
-            casters: Casters::new(gpu, shells)?,
+            casters: Casters::new(gpu, shells, &reserved)?,
+            reserved,
         };
         gpu.queue.write_buffer(&scene.sources, 0, bytemuck::cast_slice(sources));
         gpu.queue.write_buffer(&scene.smoothed, 0, bytemuck::cast_slice(smoothed));
@@ -138,22 +148,29 @@ impl MeshScene {
 }
 
 impl Casters {
-    fn new(gpu: &Gpu, shells: &Shells) -> Result<Option<Self>, MeshError> {
-        let Shells { edges, casting } = shells;
-        if edges.is_empty() {
+    fn new(gpu: &Gpu, shells: &Shells, reserved: &[Reserved]) -> Result<Option<Self>, MeshError> {
+        let Shells { edges, casting, .. } = shells;
+        let surfaces = || reserved.iter().filter(|surface| surface.adjacent.is_some());
+        if edges.is_empty() && surfaces().next().is_none() {
             return Ok(None);
         }
+        let made: usize = surfaces().map(|surface| surface.triangles.len()).sum();
+        let numbers =
+            surfaces().map(|surface| surface.triangles.end as usize).fold(casting.len(), usize::max);
         let edge_bytes = room(gpu, "edges that throw shadows", edges.len() as u64, size_of::<Edge>())?;
-        let word = |label, count: usize| buffer(gpu, label, 4 * count as u64);
+        // Both triangles of an edge may have a side there; of a closed surface's edges, few ever have.
+        let side_bytes =
+            room(gpu, "sides of shadows", (2 * edges.len() + made.div_ceil(2)) as u64, SIDE_BYTES)?;
+        let word = |label, count: usize| buffer(gpu, label, 4 * count.max(1) as u64);
         let casters = Self {
             triangle_count: casting.len() as u32,
             edge_count: edges.len() as u32,
+            cap_count: (casting.len() + made) as u32,
             casting: word("shapes.mesh.casting", casting.len()),
             edges: buffer(gpu, "shapes.mesh.edges", edge_bytes),
-            facings: word("shapes.mesh.facings", casting.len()),
-            caps: word("shapes.mesh.caps", 2 * casting.len()),
-            // Both triangles of an edge may have a side there.
-            sides: word("shapes.mesh.sides", 2 * edges.len()),
+            facings: word("shapes.mesh.facings", numbers),
+            caps: word("shapes.mesh.caps", casting.len() + made),
+            sides: buffer(gpu, "shapes.mesh.sides", side_bytes),
         };
         gpu.queue.write_buffer(&casters.casting, 0, bytemuck::cast_slice(casting));
         gpu.queue.write_buffer(&casters.edges, 0, bytemuck::cast_slice(edges));
@@ -162,7 +179,7 @@ impl Casters {
 }
 
 /// Bytes for so many items, unless they are more than the device allows.
-fn room(gpu: &Gpu, what: &'static str, items: u64, bytes: usize) -> Result<u64, MeshError> {
+pub(super) fn room(gpu: &Gpu, what: &'static str, items: u64, bytes: usize) -> Result<u64, MeshError> {
     let asked = items.max(1) * bytes as u64;
     let allowed = gpu.device.limits().max_storage_buffer_binding_size;
     if asked > allowed { Err(MeshError { what, asked, allowed }) } else { Ok(asked) }

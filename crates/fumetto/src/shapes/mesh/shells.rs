@@ -39,6 +39,8 @@ pub(crate) struct Shells {
     pub(crate) edges: Vec<Edge>,
     /// When each of the scene's triangles throws a shadow.
     pub(crate) casting: Vec<u32>,
+    /// Whether each of the surfaces does that the device makes.
+    pub(crate) surfaces: Vec<bool>,
 }
 
 /// One triangle at one of its edges.
@@ -53,7 +55,8 @@ struct HalfEdge {
 impl Shells {
     /// The shells of the objects that `casts` names by their numbers.
     pub(crate) fn new(geometry: &Geometry, casts: impl Fn(u32) -> bool) -> Self {
-        let mut shells = Self { edges: Vec::new(), casting: vec![0; geometry.triangles.len()] };
+        let surfaces = geometry.reservations.iter().map(|surface| casts(surface.object as u32)).collect();
+        let mut shells = Self { edges: Vec::new(), casting: vec![0; geometry.triangles.len()], surfaces };
         let welded = weld(&geometry.sources, &geometry.groups);
         let group = |triangle: &Triangle| geometry.groups[triangle.part as usize];
         let mut first = 0;

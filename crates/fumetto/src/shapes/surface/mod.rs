@@ -27,6 +27,7 @@
 //! which keeps the surface closed; vertices and triangles beyond their room are left out. Either is told in
 //! the mesh's counters.
 
+mod adjacent;
 mod bins;
 mod blocks;
 mod bounds;
@@ -62,6 +63,7 @@ pub(crate) struct Surface {
     blocks: blocks::Blocks,
     cells: cells::Cells,
     meshing: mesh::Meshing,
+    adjacent: adjacent::Adjacent,
 }
 
 impl Surface {
@@ -73,6 +75,7 @@ impl Surface {
             blocks: blocks::Blocks::new(gpu),
             cells: cells::Cells::new(gpu),
             meshing: mesh::Meshing::new(gpu),
+            adjacent: adjacent::Adjacent::new(gpu),
         }
     }
 
@@ -95,6 +98,9 @@ impl Surface {
         self.blocks.record(frame, job, &self.scan);
         self.cells.record(frame, job, &self.scan);
         self.meshing.record(frame, job, mesh);
+        if let Some(adjacent) = &mesh.adjacent {
+            self.adjacent.record(frame, job, adjacent);
+        }
     }
 }
 

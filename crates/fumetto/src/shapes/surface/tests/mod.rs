@@ -1,5 +1,6 @@
 //! The surface against closed forms, on whatever adapter there is.
 
+mod adjacent;
 mod growth;
 mod limits;
 mod merging;
