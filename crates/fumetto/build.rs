@@ -203,6 +203,7 @@ const PROGRAMS: &[(&str, &[&str])] = &[
         "light/extrude_closed",
         &[
             "gpu/view",
+            "gpu/octahedral",
             "shapes/mesh/mesh",
             "light/lights",
             "light/volumes",

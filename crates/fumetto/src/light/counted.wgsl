@@ -17,13 +17,15 @@ fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let px = vec2i(position.xy);
     let at = position.xy / vec2f(textureDimensions(counts));
     let shadow = select(vec4f(0.0), vec4f(1.0), textureSampleLevel(known, linear, at, 0.0) >= vec4f(0.5));
-    if abs(textureLoad(counts, px, 0).x) < 0.5 {
-        return shadow;
-    }
     let id = textureLoad(id_layer, px, 0).x;
     let number = id & ~TRIANGLE_BIT;
-    if id != number && number < arrayLength(&facings) && (facings[number] & AT_TERMINATOR) != 0u {
-        return shadow;
+    var facing = 0u;
+    if id != number && number < arrayLength(&facings) {
+        facing = facings[number];
     }
-    return max(shadow, counted.channel);
+    let is_counted = abs(textureLoad(counts, px, 0).x) >= 0.5 && (facing & AT_TERMINATOR) == 0u;
+    if is_counted || (facing & IN_VALLEY) != 0u {
+        return max(shadow, counted.channel);
+    }
+    return shadow;
 }

@@ -9,3 +9,6 @@ const EDGE_ON: f32 = 1e-3;
 
 // It looks away from the light by so little that smooth shading may still be lit there.
 const AT_TERMINATOR: u32 = 4u;
+
+// It looks away from the light, and though its shading is lit in parts, all that it shows lies in shadow.
+const IN_VALLEY: u32 = 8u;

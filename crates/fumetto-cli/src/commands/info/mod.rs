@@ -81,8 +81,11 @@ fn loads(scene: &Scene, folder: &SceneFolder) -> anyhow::Result<Vec<Load>> {
             Ok(Load { particles, surface: cost.surface, ..Load::default() })
         }
     });
-    let casts = scene.objects.iter().map(|object| scene.casts(object));
-    loads.zip(casts).map(|(load, casts)| Ok(Load { casts, ..load? })).collect()
+    let mut loads = loads.collect::<anyhow::Result<Vec<_>>>()?;
+    for (load, object) in loads.iter_mut().zip(&scene.objects) {
+        load.casts = scene.casts(object);
+    }
+    Ok(loads)
 }
 
 fn duration_secs(scene: &Scene) -> f64 {
