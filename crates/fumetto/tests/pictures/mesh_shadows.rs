@@ -230,8 +230,10 @@ fn an_open_ball_has_a_smooth_terminator() {
 
 #[test]
 fn a_sheet_with_two_faces_does_not_shadow_itself() {
-    let sheet = square(1.0) + "f 1/1 4/4 3/3 2/2\n";
-    for rotation in [[0, 10, 0], [30, 40, 20], [0, 44, 0]] {
+    // With the same diagonal as the front, and with the other, along which depth is rounded otherwise.
+    let sheets = ["f 1/1 4/4 3/3 2/2\n", "f 2/2 1/1 4/4 3/3\n"].map(|back| square(1.0) + back);
+    let rotations = [[0, 10, 0], [30, 40, 20], [0, 44, 0], [25, -33, 7]];
+    for (sheet, rotation) in sheets.iter().flat_map(|sheet| rotations.map(|rotation| (sheet, rotation))) {
         let transform = format!("transform = {{ position = [-2.5, 0, 2], rotation = {rotation:?} }}");
         let stage = |shadow: bool| {
             let more = format!(
