@@ -35,6 +35,9 @@ draw cumulus cumulus.png --layers normal,depth,id,alpha,ink "${large[@]}"
 draw cottage cottage.png "${large[@]}"
 draw cloud cloud.png "${large[@]}"
 draw genie genie.png --frame 150 "${large[@]}"
+draw cloud-cel cloud-cel.png "${large[@]}"
+draw smoke-cel smoke-cel.png --frame 180 "${large[@]}"
+draw cloud-transparent cloud-transparent.png "${large[@]}"
 draw chimney chimney.gif --frames 144..191 --size 320x180
 
 # The first scene of README.md, as it stands there, and two ways for its smoke to end.
@@ -68,6 +71,12 @@ draw cumulus shadow-off.png "${low_sun[@]}" --set style.shadow.on=false "${small
 draw cloud surface-thin.png --set object.cloud.shape.surface.threshold=0.05 "${small[@]}"
 draw cloud surface-noise.png \
     --set 'object.cloud.shape.surface.noise={ amplitude = 1.6, size = 1, octaves = 1 }' "${small[@]}"
+
+# Clouds after a paper's figures.
+for cloud in cloud-detailed cloud-simple cloud-layers; do
+    draw "$cloud" "$cloud.png" "${small[@]}"
+done
+draw cloud-layers layers-none.png --set 'object.cloud.shape.surface.detail=[]' "${small[@]}"
 
 # The plate of shadings, and each of them by itself: in its place of four columns and three rows.
 draw shadings shadings.png --size 640x480 --set style.height=800

@@ -5,9 +5,10 @@ mod common;
 
 use common::{load, load_with};
 use fumetto_scene::{
-    Background, Burst, Colour, Curve, EmitterShape, Exaggerate, Force, Gooch, Highlight, Light, LightKind,
-    Matter, Mesh, Noise, Particle, Puffs, Ramp, RampImage, RampRows, Resolution, Rim, Scene, SceneText,
-    Shading, Shape, Smoke, Spacing, Style, StyleChoice, Surface, Tone, Transform, Width,
+    Background, Burst, Colour, Curve, Detail, EmitterShape, Exaggerate, Force, Gooch, Highlight, Ink,
+    InkMethod, Light, LightKind, Matter, Mesh, Noise, Particle, Puffs, Ramp, RampImage, RampRows, Resolution,
+    Rim, Scene, SceneText, Shading, Shape, Smoke, Spacing, Style, StyleChoice, Surface, Tone, Transform,
+    Width,
 };
 
 fn srgb(hex: u32) -> Colour {
@@ -354,6 +355,34 @@ fn every_key_of_a_surface_reaches_it() {
     ] {
         assert_eq!(two_balls(keys).0, Surface { resolution, ..plain });
     }
+}
+
+#[test]
+fn a_layer_of_detail_takes_what_it_does_not_say_from_the_surface_around_it() {
+    let details = |keys: &str| {
+        let scene = good(&format!(
+            "format = 1\ncamera = {{ eye = [0, 1, 5], target = [0, 0, 0] }}\n\
+             light = [{{ kind = \"sun\", direction = [0, -1, 0] }}]\n\
+             object = [{{ name = \"a\", kind = \"cloud\", particles = [{{ center = [0, 5, 0], radius = 1 }}], \
+             style = {{ ink = {{ width = {{ px = 5 }}, inner = 0.25 }} }}, shape = {{ surface = {{ \
+             threshold = 0.3, size = 2, subdivisions = 20, noise = {{ amplitude = 1, size = 1 }}, {keys} }} }} }}]"
+        ));
+        let object = &scene.objects[0];
+        (object.shape.surface().copied().unwrap(), object.style.ink, object.details.clone())
+    };
+    assert_eq!(details("").2, []);
+    let (outer, ink, plain) = details("detail = [{}]");
+    assert_eq!(plain, [Detail { surface: Surface { size: 1.6, ..outer }, mass: 1.0, ink }]);
+    let (_, _, two) = details(
+        "detail = [{ size = 0.5, mass = 0.25, ink = { width = { px = 2 }, method = \"vector\" } }, \
+         { threshold = 0.6, cell = 0.1, noise = { amplitude = 0, size = 1 } }]",
+    );
+    let surface = Surface { size: 1.0, ..outer };
+    let pen = Ink { width: Width::Px(2.0), method: InkMethod::Vector, ..ink };
+    assert_eq!(two[0], Detail { surface, mass: 0.25, ink: pen });
+    let inner = two[1].surface;
+    assert_eq!((inner.threshold, inner.resolution, inner.size), (0.6, Resolution::Cell(0.1), 1.6));
+    assert_eq!(inner.noise.map(|noise| noise.amplitude), Some(0.0));
 }
 
 #[test]

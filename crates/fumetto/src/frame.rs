@@ -6,8 +6,10 @@ use glam::Vec3;
 use crate::{
     Player, Shot,
     cels::{Cel, cels},
-    gpu::{Compact, DrawList, Frame, Gpu, Listing, Region, TexturePool, Transient, View},
-    ink::{Angle, Gather, Image, InkAround, MAX_PENS, Methods, Outline, Pen, Shell, Vector},
+    gpu::{Compact, DrawList, Frame, Gpu, Listing, Region, Target, TexturePool, Transient, View},
+    ink::{
+        Angle, Gather, INK_FORMAT, Image, InkAround, Inner, MAX_PENS, Methods, Outline, Pen, Shell, Vector,
+    },
     layers::Layers,
     light::{Casting, LightsUniform, Shadows, Soften, Volumes},
     object::ObjectStyle,
@@ -38,6 +40,7 @@ pub(crate) struct Painter {
     angle: Angle,
     shell: Shell,
     image: Image,
+    inner: Inner,
     gather: Gather,
     flat: Flat,
     sprites: Sprites,
@@ -82,6 +85,7 @@ impl Painter {
             angle: Angle::new(gpu),
             shell: Shell::new(gpu),
             image: Image::new(gpu),
+            inner: Inner::new(gpu),
             gather: Gather::new(gpu),
             flat: Flat::new(gpu),
             sprites: Sprites::new(gpu),
@@ -143,7 +147,7 @@ impl Painter {
         let layers = self.fill(&mut frame, subject, room, (&cel.members, setting.view.size), None);
         self.form.record(&mut frame, subject.scene, &cel.members);
         let normal = self.normal.record(&mut frame, subject, &layers, 1);
-        let ink = self.ink(&mut frame, subject, &setting, &cel, (&layers, &room.inks));
+        let ink = self.ink(&mut frame, subject, &setting, &cel.members, (&layers, None, &room.inks));
         frame.submit();
         Proof { depth: layers.depth, id: layers.id, normal, ink }
     }
@@ -186,7 +190,7 @@ impl Painter {
             self.compose.lay(frame, under, setting.sheet, target);
         }
         self.tone(frame, subject, setting, cel, (&layers, &shadow), canvas);
-        let ink = self.ink(frame, subject, setting, cel, (&layers, &room.inks));
+        let ink = self.ink(frame, subject, setting, &cel.members, (&layers, opaque, &room.inks));
         let around = self.gather.record(frame, &ink, layers.size, setting.ink_length_px(&cel.members));
         let inked = Inked { ink: &ink, around: &around, known };
         match own {
@@ -207,7 +211,7 @@ impl Painter {
     ) -> Layers {
         let listing = |mask| Listing { items: subject.scene.count, mask, quads: QUADS };
         let layers = Layers::new(frame, size);
-        layers.begin(frame, nearer);
+        layers.begin(frame, nearer.map(|nearer| &nearer.depth));
         self.meshes.record(frame, subject, members, layers.target());
         self.occlusion.front(frame, subject, &room.pyramid, &room.flags);
         self.compact.record(frame, &room.flags, listing(FRONT), &room.list);
@@ -266,28 +270,53 @@ impl Painter {
         self.flat.record(frame, subject, layers, (&normal, shadow), (step, ramps, setting.features), canvas);
     }
 
-    /// Draws lines, each object's as its style finds them.
+    /// Draws lines: first those inside surfaces, and over them those of the objects themselves.
     fn ink(
         &self,
         frame: &mut Frame<'_>,
         subject: Subject<'_>,
         setting: &Setting<'_>,
-        cel: &Cel,
-        (layers, inks): (&Layers, &DrawList),
+        members: &[usize],
+        (layers, nearer, inks): (&Layers, Option<&Layers>, &DrawList),
     ) -> Transient {
-        let objects = &setting.player.scene().objects;
-        let methods = Methods::of(objects, &cel.members, setting.view.picture_height);
-        let along_edges = setting.pens(&cel.members).iter().any(Pen::follows_edges);
-        let lines = along_edges.then(|| self.vector.record(frame, subject, &self.compact, layers));
-        let ink = self.outline.record(frame, subject, inks, layers, lines);
-        if methods.angle {
-            self.form.record(frame, subject.scene, &cel.members);
-            let normal = self.normal.record(frame, subject, layers, 1);
-            self.angle.record(frame, subject, layers, &normal, &ink);
+        let ink = frame.texture("ink.lines", layers.size, INK_FORMAT);
+        frame.clear("ink.begin", Target::colour(&ink, Some(wgpu::Color::TRANSPARENT)));
+        let details = &setting.player.details;
+        for level in details.levels(members) {
+            let inside = details.members(members, level);
+            let from = (layers, nearer.map(|nearer| &nearer.depth));
+            let inner = self.inner.record(frame, subject, &self.meshes, (level, &inside), from);
+            self.lines(frame, subject, setting, (&inside, &inner, None), &ink);
         }
-        self.shell.record(frame, subject, &methods.shells, layers, &ink);
-        self.image.record(frame, subject, &methods, layers, &ink);
+        self.lines(frame, subject, setting, (members, layers, Some(inks)), &ink);
         ink
+    }
+
+    /// Adds to `ink` the lines of what `layers` show of some objects, each one's as its style finds them, and
+    /// those of the listed puffs.
+    fn lines(
+        &self,
+        frame: &mut Frame<'_>,
+        subject: Subject<'_>,
+        setting: &Setting<'_>,
+        (members, layers, puffs): (&[usize], &Layers, Option<&DrawList>),
+        ink: &Transient,
+    ) {
+        let methods = Methods::of(&setting.player.drawn(), members, setting.view.picture_height);
+        let along_edges = setting.pens(members).iter().any(Pen::follows_edges);
+        let lines =
+            along_edges.then(|| self.vector.record(frame, subject, &self.compact, (layers, members), ink));
+        if let Some(puffs) = puffs {
+            let depth = lines.as_ref().unwrap_or(&layers.depth);
+            self.outline.record(frame, subject, puffs, (layers, depth), ink);
+        }
+        if methods.angle {
+            self.form.record(frame, subject.scene, members);
+            let normal = self.normal.record(frame, subject, layers, 1);
+            self.angle.record(frame, subject, layers, &normal, ink);
+        }
+        self.shell.record(frame, subject, &methods.shells, layers, ink);
+        self.image.record(frame, subject, &methods, layers, ink);
     }
 
     fn make_room(&mut self, gpu: &Gpu, scene: &PuffScene, size: [u32; 2]) {
@@ -321,7 +350,7 @@ impl Setting<'_> {
 
     /// The pens that draw the cel of the objects that `members` numbers.
     fn pens(&self, members: &[usize]) -> [Pen; MAX_PENS] {
-        Pen::of_all(&self.player.scene().objects, members, self.view.picture_height)
+        Pen::of_all(&self.player.drawn(), &self.player.details.with(members), self.view.picture_height)
     }
 
     /// How each object is drawn in a cel.
@@ -330,7 +359,7 @@ impl Setting<'_> {
             let in_cel = cel.members.contains(&(index as usize));
             ObjectStyle::new(object, index, self.view.picture_height, in_cel)
         };
-        (0..).zip(&self.player.scene().objects).map(style).collect()
+        (0..).zip(self.player.drawn()).map(style).collect()
     }
 
     /// All uniforms of a cel in a row, to tell whether anything has changed.
@@ -355,20 +384,20 @@ impl Setting<'_> {
 
     /// Least size of a tone's shape, in samples.
     fn clean_px(&self) -> f32 {
-        clean_px(&self.player.scene().objects, self.view.picture_height)
+        clean_px(&self.player.drawn(), self.view.picture_height)
     }
 }
 
 /// Least size of a tone's shape in a picture `height_px` samples high, in samples: the largest that any object
 /// wants.
-fn clean_px(objects: &[Object], height_px: u32) -> f32 {
-    let px = |object: &Object| object.style.clean_px * height_px as f32 / object.style.height_px;
+fn clean_px(objects: &[&Object], height_px: u32) -> f32 {
+    let px = |object: &&Object| object.style.clean_px * height_px as f32 / object.style.height_px;
     objects.iter().map(px).fold(0.0, f32::max)
 }
 
 /// How far from a pixel of a picture `height_px` samples high anything may lie that it depends on, in samples;
 /// lines' lengths aside, which only a survey tells.
-pub(crate) fn reach_px(objects: &[Object], height_px: u32) -> f32 {
+pub(crate) fn reach_px(objects: &[&Object], height_px: u32) -> f32 {
     let clean = clean_px(objects, height_px);
     let members: Vec<usize> = (0..objects.len()).collect();
     let methods = Methods::of(objects, &members, height_px);

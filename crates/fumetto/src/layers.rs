@@ -29,10 +29,10 @@ impl Layers {
         }
     }
 
-    /// Empties the layers; only what lies before the surfaces of `nearer` will be drawn.
-    pub(crate) fn begin(&self, frame: &mut Frame<'_>, nearer: Option<&Self>) {
+    /// Empties the layers; only what lies before the depth `nearer` will be drawn.
+    pub(crate) fn begin(&self, frame: &mut Frame<'_>, nearer: Option<&Transient>) {
         if let Some(nearer) = nearer {
-            let (from, to) = (nearer.depth.texture(), self.depth.texture());
+            let (from, to) = (nearer.texture(), self.depth.texture());
             frame.encoder.copy_texture_to_texture(from.as_image_copy(), to.as_image_copy(), from.size());
         }
         let clear = nearer.is_none().then_some(0.0);

@@ -24,6 +24,7 @@
 
 mod assets;
 mod cels;
+mod details;
 mod engine;
 mod error;
 mod export;

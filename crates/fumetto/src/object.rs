@@ -23,7 +23,8 @@ pub(crate) struct ObjectStyle {
     material: f32,
     ink_facing: f32,
     ink_crease: f32,
-    pad: [f32; 3],
+    details: u32,
+    pad: [f32; 2],
 }
 
 /// Objects that there is room for. Also in `object.wgsl`.
@@ -39,13 +40,12 @@ const IMAGE_INK: u32 = 16;
 const HYBRID_INK: u32 = 32;
 const SHOWS_SHADOWS: u32 = 64;
 
-/// How an object's lines are found: those of a surface, whose triangles only the device knows, in the picture
-/// where others' are found along edges.
+/// How an object's lines are found. What suits each shape is, for a surface, to look through the picture: where
+/// lobes meet in a valley, its contours break off.
 pub(crate) fn ink_method(object: &Object) -> InkMethod {
     match (object.style.ink.method, object.shape.surface()) {
-        (InkMethod::Angle, _) => InkMethod::Angle,
-        (_, Some(_)) => InkMethod::Image,
-        (method, None) => method,
+        (InkMethod::Hybrid, Some(_)) => InkMethod::Image,
+        (method, _) => method,
     }
 }
 
@@ -90,7 +90,8 @@ impl ObjectStyle {
             material: style.material,
             ink_facing: style.ink.facing,
             ink_crease: style.ink.crease_deg.to_radians().cos(),
-            pad: [0.0; 3],
+            details: object.details.len() as u32,
+            pad: [0.0; 2],
         }
     }
 }
@@ -100,5 +101,5 @@ mod tests {
     use super::*;
     use crate::gpu::layout_test;
 
-    layout_test!(lies_as_its_twin: ObjectStyle, "ObjectStyle" of "tone/flat" { ink_width_px, ink_width_m, ink_offset, ink_inner, ink_lit_thinning, form, wrap, opacity, ramp_row, shadow_reach, shadow_start, shadow_size, flags, form_scale, material, ink_facing, ink_crease });
+    layout_test!(lies_as_its_twin: ObjectStyle, "ObjectStyle" of "tone/flat" { ink_width_px, ink_width_m, ink_offset, ink_inner, ink_lit_thinning, form, wrap, opacity, ramp_row, shadow_reach, shadow_start, shadow_size, flags, form_scale, material, ink_facing, ink_crease, details });
 }

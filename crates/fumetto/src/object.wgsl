@@ -26,6 +26,8 @@ struct ObjectStyle {
     ink_facing: f32,
     // Cosine of the angle above which faces make a crease.
     ink_crease: f32,
+    // Layers of detail inside.
+    details: u32,
     pad: vec2f,
 }
 

@@ -4,14 +4,16 @@ use std::{collections::BTreeMap, ops::Range};
 
 use fumetto_formats::{Model, ModelOptions, is_sequence, sequence_path};
 use fumetto_scene::{
-    Ink, InkMethod, Matter, Mesh, Object, Particle, Puffs, Ramp, RampImage, Scene, Shape, Style, SurfacePlan,
+    Ink, InkMethod, Matter, Mesh, Object, Particle, Puffs, Ramp, RampImage, Scene, Shape, Style, Surface,
+    SurfacePlan,
 };
 
 use crate::{
     Assets, Error,
     assets::{load_image, load_model, load_particles},
+    details::{Details, Layer},
     gpu::Gpu,
-    object::{ObjectStyle, ink_method},
+    object::ObjectStyle,
     particles::Emission,
     shapes::{
         mesh::{Geometry, MeshScene, Shells, candidates},
@@ -32,6 +34,7 @@ pub struct Player {
     pub(crate) puffs: PuffScene,
     pub(crate) meshes: MeshScene,
     pub(crate) surfaces: SurfaceScene,
+    pub(crate) details: Details,
     pub(crate) geometry: Geometry,
     pub(crate) ramps: Ramps,
     pub(crate) backdrop: Backdrop,
@@ -92,8 +95,10 @@ impl Player {
                 Matter::Mesh(mesh) => play_mesh(mesh, &object.style, &*assets, &mut geometry, &mut notes)?,
                 _ => play_matter(gpu, &scene, object, index, &*assets, first_frame, &mut notes)?,
             };
-            match plan(&scene, object, &matter) {
-                Some(plan) => geometry.add_surface(plan.room.vertices, plan.room.triangles),
+            match object.shape.surface() {
+                Some(surface) => {
+                    add_surface(&mut geometry, &scene, object, (surface, &object.style.ink), &matter)
+                }
                 None if matter.is_model() => {}
                 None => geometry.add_nothing(),
             }
@@ -109,14 +114,22 @@ impl Player {
             };
             objects.push(PlayedObject { matter, placement, capacity });
         }
+        let details = Details::new(&scene);
+        for Layer { object, detail, .. } in details.layers() {
+            let (object, matter) = (&scene.objects[*object], &objects[*object].matter);
+            add_surface(&mut geometry, &scene, object, (&detail.surface, &detail.ink), matter);
+        }
         for (index, object) in scene.objects.iter().enumerate() {
-            if ink_method(object) == InkMethod::Shell {
+            if matches!(object.matter, Matter::Mesh(_)) && object.style.ink.method == InkMethod::Shell {
                 geometry.find_pushes(index);
             }
         }
         let puffs = place(gpu, &scene, &mut objects, atlas)?;
-        let surfaces = surfaces(gpu, &scene, &objects)?;
-        let shells = Shells::new(&geometry, |object| scene.casts(&scene.objects[object as usize]));
+        let surfaces = surfaces(gpu, &scene, &details, &objects)?;
+        // Layers of detail come after the scene's objects, and throw no shadows.
+        let casts =
+            |object: u32| scene.objects.get(object as usize).is_some_and(|object| scene.casts(object));
+        let shells = Shells::new(&geometry, casts);
         let meshes = MeshScene::new(gpu, &geometry, &shells, &candidates(&geometry, &crease_degs(&scene)))?;
         let ramps = load_ramps(gpu, &scene, &*assets)?;
         let backdrop = load_backdrop(gpu, &scene, &*assets)?;
@@ -128,6 +141,7 @@ impl Player {
             puffs,
             meshes,
             surfaces,
+            details,
             geometry,
             ramps,
             backdrop,
@@ -146,6 +160,11 @@ impl Player {
     /// Where the files that the scene names come from.
     pub(crate) fn assets(&self) -> &dyn Assets {
         &*self.assets
+    }
+
+    /// The scene's objects, then the layers of detail in them.
+    pub(crate) fn drawn(&self) -> Vec<&Object> {
+        self.scene.objects.iter().chain(self.details.objects()).collect()
     }
 
     /// Things to tell the user about the files that were read.
@@ -198,7 +217,7 @@ impl Player {
         if grown {
             let (_, atlas) = atlas(gpu, &self.scene)?;
             self.puffs = place(gpu, &self.scene, &mut self.objects, atlas)?;
-            self.surfaces = surfaces(gpu, &self.scene, &self.objects)?;
+            self.surfaces = surfaces(gpu, &self.scene, &self.details, &self.objects)?;
             self.upload_still(gpu);
         }
         self.upload_sequences(gpu);
@@ -343,20 +362,34 @@ fn place(gpu: &Gpu, scene: &Scene, objects: &mut [PlayedObject], atlas: Atlas) -
         played.placement.first = first;
         let range = first..first + played.capacity;
         first = range.end;
-        let has_puffs = object.visible && object.shape.puffs().is_some();
-        ranges.push(PuffObject { range, wants_form: has_puffs && wants_form(&object.style) });
+        ranges.push(PuffObject { range, wants_form: object.visible && wants_form(object) });
     }
     Ok(PuffScene::new(gpu, atlas, ranges, size_of::<ObjectStyle>() as u64))
 }
 
-/// Normals bend toward the form, and relief is what stands out from it.
-fn wants_form(style: &Style) -> bool {
-    style.form > 0.0 || style.exaggerate.amount > 0.0
+/// Normals of puffs bend toward the form, and relief is what stands out from it.
+fn wants_form(object: &Object) -> bool {
+    let bends = object.style.form > 0.0 && object.shape.puffs().is_some();
+    bends || object.style.exaggerate.amount > 0.0
 }
 
-/// What an object's surface is made with, if that is its shape.
-fn plan(scene: &Scene, object: &Object, matter: &PlayedMatter) -> Option<SurfacePlan> {
-    let surface = object.shape.surface()?;
+/// Makes room for a surface of an object's `matter` and for the lines that are drawn of it.
+fn add_surface(
+    geometry: &mut Geometry,
+    scene: &Scene,
+    object: &Object,
+    (surface, ink): (&Surface, &Ink),
+    matter: &PlayedMatter,
+) {
+    let has_lines = ink.on && ink.method == InkMethod::Vector;
+    match plan(scene, object, surface, matter) {
+        Some(plan) => geometry.add_surface(plan.room.vertices, plan.room.triangles, has_lines),
+        None => geometry.add_nothing(),
+    }
+}
+
+/// What a surface of an object's `matter` is made with.
+fn plan(scene: &Scene, object: &Object, surface: &Surface, matter: &PlayedMatter) -> Option<SurfacePlan> {
     match (matter, &object.matter) {
         (PlayedMatter::Still(particles), _) => Some(surface.plan(particles)),
         (PlayedMatter::Sequence(_, particles), _) => Some(surface.plan_sequence(particles)),
@@ -367,18 +400,28 @@ fn plan(scene: &Scene, object: &Object, matter: &PlayedMatter) -> Option<Surface
     }
 }
 
-/// All surfaces, of puffs that have their places.
-fn surfaces(gpu: &Gpu, scene: &Scene, objects: &[PlayedObject]) -> Result<SurfaceScene, Error> {
+/// All surfaces, of puffs that have their places: those of the objects, then the layers of detail in them.
+fn surfaces(
+    gpu: &Gpu,
+    scene: &Scene,
+    details: &Details,
+    objects: &[PlayedObject],
+) -> Result<SurfaceScene, Error> {
+    let outer = (0..)
+        .zip(&scene.objects)
+        .filter_map(|(number, object)| Some((number, *object.shape.surface()?, 1.0)));
+    let inner = details.layers().iter().map(|layer| (layer.object, layer.detail.surface, layer.detail.mass));
     let mut surfaces = Vec::new();
-    for (object, played) in scene.objects.iter().zip(objects) {
-        if let (Some(surface), Some(plan)) = (object.shape.surface(), plan(scene, object, &played.matter)) {
-            let first = played.placement.first;
-            let (puffs, stands) =
-                (first..first + played.capacity, matches!(played.matter, PlayedMatter::Still(_)));
-            let surface = SurfaceObject { surface: *surface, plan, puffs, stands };
-            surface.check(gpu).map_err(|source| Error::Surface { object: object.name.clone(), source })?;
-            surfaces.push(surface);
-        }
+    for (number, surface, mass) in outer.chain(inner) {
+        let (object, played) = (&scene.objects[number], &objects[number]);
+        let Some(plan) = plan(scene, object, &surface, &played.matter) else { continue };
+        let first = played.placement.first;
+        let puffs = first..first + played.capacity;
+        let stands = matches!(played.matter, PlayedMatter::Still(_));
+        let scales = [surface.size / played.placement.size, mass];
+        let surface = SurfaceObject { surface, scales, plan, puffs, stands };
+        surface.check(gpu).map_err(|source| Error::Surface { object: object.name.clone(), source })?;
+        surfaces.push(surface);
     }
     Ok(SurfaceScene::new(gpu, &surfaces))
 }

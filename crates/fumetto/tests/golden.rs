@@ -147,6 +147,21 @@ fn genie_looks_as_it_did() {
 }
 
 #[test]
+fn cloud_simple_looks_as_it_did() {
+    check("cloud-simple", 0);
+}
+
+#[test]
+fn cloud_layers_looks_as_it_did() {
+    check("cloud-layers", 0);
+}
+
+#[test]
+fn cloud_transparent_looks_as_it_did() {
+    check("cloud-transparent", 0);
+}
+
+#[test]
 fn the_comparison_tells_pictures_apart() {
     let image = |grey: u8, odd: usize| {
         let mut pixels = vec![grey; 4 * 1000];

@@ -1,4 +1,9 @@
-use super::{At, Styles, mesh::mesh, shape::shape, smoke::smoke};
+use super::{
+    At, Styles,
+    mesh::mesh,
+    shape::{details, shape},
+    smoke::smoke,
+};
 use crate::file::{ObjectFile, ObjectKind, ParticlesFile};
 use crate::limits::{MAX_PARTICLES, PARTICLE_BYTES};
 use crate::{Matter, Object, Particle, Style};
@@ -15,11 +20,14 @@ pub(super) fn object(
         Some(changes) => styles.changed(&at.key("style"), changes, scene_style),
         None => scene_style.clone(),
     };
+    let (at_shape, shape_file) = (at.key("shape"), file.shape.as_ref());
+    let shape = shape(&at_shape, shape_file);
     let object = Object {
         name: file.name.clone(),
         visible: file.visible,
         matter: matter(at, file),
-        shape: shape(&at.key("shape"), file.shape.as_ref()),
+        details: details(&at_shape, shape_file, &shape, &style.ink),
+        shape,
         style,
         opacity: file.opacity,
     };

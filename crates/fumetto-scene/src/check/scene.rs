@@ -4,14 +4,14 @@ use super::values::{colour, cross, direction, length, unit};
 use super::{At, Styles, object::object};
 use crate::file::{BackgroundFile, CameraFile, LightFile, SceneFile, TimeFile};
 use crate::limits::{MAX_LIGHTS, MAX_OBJECTS, MIN_DIRECTION, MIN_UP_SINE};
-use crate::{Background, Camera, Light, LightKind, Output, Scene, Time};
+use crate::{Background, Camera, Light, LightKind, Object, Output, Scene, Time};
 
 /// The scene that `file` describes.
 pub(crate) fn scene(at: &At<'_>, file: &SceneFile, styles: &mut Styles<'_>) -> Scene {
     let style = styles.scene_style(&at.key("style"), &file.style);
     let time = time(&at.key("time"), &file.time);
     let objects = file.object.iter().enumerate().take(MAX_OBJECTS);
-    let objects = objects
+    let objects: Vec<Object> = objects
         .map(|(i, one)| object(&at.key("object").item(i), one, &style, time.step_secs(), styles))
         .collect();
     let names = file.object.iter().map(|object| object.name.as_str());
@@ -23,6 +23,14 @@ pub(crate) fn scene(at: &At<'_>, file: &SceneFile, styles: &mut Styles<'_>) -> S
         MAX_OBJECTS,
         "join some: an object may have many emitters",
     );
+    let details = objects.iter().map(|object| object.details.len()).sum::<usize>();
+    if details > 0 && objects.len() + details > MAX_OBJECTS {
+        let message = format!(
+            "there are {} objects and {details} layers of detail, but at most {MAX_OBJECTS} of both are allowed",
+            objects.len()
+        );
+        at.key("object").error("too-many", message, "leave some layers of detail out");
+    }
     if file.object.is_empty() {
         let help = "add an [[object]] with a `name` and a `kind`";
         at.key("object").warning("no-object", "the scene has no object, so nothing is drawn".into(), help);

@@ -1,6 +1,6 @@
-use super::At;
-use crate::file::{NoiseFile, PuffsFile, ShapeFile, SurfaceFile};
-use crate::{Noise, Puffs, Resolution, Shape, Surface};
+use super::{At, ink::ink};
+use crate::file::{DetailFile, NoiseFile, PuffsFile, ShapeFile, SurfaceFile};
+use crate::{Detail, Ink, Noise, Puffs, Resolution, Shape, Surface};
 
 /// Cells along the longest side, unless the file says how fine.
 const SUBDIVISIONS: u32 = 48;
@@ -24,31 +24,60 @@ fn puffs(at: &At<'_>, file: PuffsFile) -> Puffs {
 }
 
 fn surface(at: &At<'_>, file: &SurfaceFile) -> Surface {
-    let noise = |file: NoiseFile| Noise {
-        amplitude: file.amplitude,
-        size_m: file.size,
-        octaves: file.octaves,
-        seed: file.seed,
-    };
+    let choices = choices(file.subdivisions, file.cell, file.per_radius);
     Surface {
         threshold: file.threshold,
-        resolution: resolution(at, file),
+        resolution: resolution(at, "surface", choices).unwrap_or(Resolution::Subdivisions(SUBDIVISIONS)),
         size: file.size,
         noise: file.noise.map(noise),
     }
 }
 
-fn resolution(at: &At<'_>, file: &SurfaceFile) -> Resolution {
-    match (file.subdivisions, file.cell, file.per_radius) {
-        (None, None, None) => Resolution::Subdivisions(SUBDIVISIONS),
-        (Some(cells), None, None) => Resolution::Subdivisions(cells),
-        (None, Some(cell_m), None) => Resolution::Cell(cell_m),
-        (None, None, Some(cells)) => Resolution::PerRadius(cells),
-        _ => {
-            let message = "`surface` must have only one of `subdivisions`, `cell` and `per_radius`";
-            let help = "each says how finely the surface is sampled; keep the one that you mean";
-            at.error("surface-choice", message.into(), help);
-            Resolution::Subdivisions(SUBDIVISIONS)
-        }
+fn noise(file: NoiseFile) -> Noise {
+    Noise { amplitude: file.amplitude, size_m: file.size, octaves: file.octaves, seed: file.seed }
+}
+
+/// The layers of detail in the `shape` of an object whose lines are drawn with `pen`.
+pub(super) fn details(at: &At<'_>, file: Option<&ShapeFile>, shape: &Shape, pen: &Ink) -> Vec<Detail> {
+    let (Some(ShapeFile::Surface(file)), Some(outer)) = (file, shape.surface()) else { return Vec::new() };
+    let at = at.key("surface").key("detail");
+    let files = file.detail.as_deref().unwrap_or_default();
+    files.iter().enumerate().map(|(i, file)| detail(&at.item(i), file, outer, pen)).collect()
+}
+
+fn detail(at: &At<'_>, file: &DetailFile, outer: &Surface, pen: &Ink) -> Detail {
+    let choices = choices(file.subdivisions, file.cell, file.per_radius);
+    let surface = Surface {
+        threshold: file.threshold.unwrap_or(outer.threshold),
+        resolution: resolution(at, "detail", choices).unwrap_or(outer.resolution),
+        size: file.size * outer.size,
+        noise: file.noise.map(noise).or(outer.noise),
+    };
+    let mut own = *pen;
+    if let Some(file) = &file.ink {
+        ink(&at.key("ink"), file, &mut own);
     }
+    Detail { surface, mass: file.mass, ink: own }
+}
+
+type Choices = [Option<Resolution>; 3];
+
+fn choices(subdivisions: Option<u32>, cell: Option<f32>, per_radius: Option<f32>) -> Choices {
+    [
+        subdivisions.map(Resolution::Subdivisions),
+        cell.map(Resolution::Cell),
+        per_radius.map(Resolution::PerRadius),
+    ]
+}
+
+/// How finely `what` is sampled, if the file says so.
+fn resolution(at: &At<'_>, what: &str, choices: Choices) -> Option<Resolution> {
+    let mut chosen = choices.into_iter().flatten();
+    let first = chosen.next();
+    if chosen.next().is_some() {
+        let message = format!("`{what}` must have only one of `subdivisions`, `cell` and `per_radius`");
+        let help = "each says how finely the surface is sampled; keep the one that you mean";
+        at.error("surface-choice", message, help);
+    }
+    first
 }

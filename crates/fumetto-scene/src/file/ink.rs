@@ -23,7 +23,8 @@ pub struct InkFile {
     /// Width of inner lines over the outline's, 0 to 1.
     #[schemars(transform = &limits::SHARE)]
     pub inner: Option<f32>,
-    /// How much thinner lines are where they face the light, 0 to 1.
+    /// How much thinner lines are where they face the light, 0 to 1. Those left with less than a quarter of
+    /// their width end there.
     #[schemars(transform = &limits::SHARE)]
     pub lit_thinning: Option<f32>,
     /// Lines shorter than this many widths are left out.

@@ -19,7 +19,7 @@ pub use object::{ObjectFile, ObjectKind, ParticleFile, ParticlesFile, PuffsFile,
 pub use scene::{BackgroundFile, CameraFile, LightFile, OutputFile, SceneFile, TimeFile};
 pub use smoke::{BurstFile, EmitterFile, EmitterShapeFile, ForceFile};
 pub use style::{PixelsFile, ShadingFile, ShadowFile, StyleFile};
-pub use surface::{NoiseFile, SurfaceFile};
+pub use surface::{DetailFile, NoiseFile, SurfaceFile};
 pub use tones::{
     ExaggerateFile, FocusFile, GoochFile, HighlightFile, PlacedToneFile, RampFile, RampImageFile,
     RampRowsFile, RimFile, StepsFile, ToneFile, TonesFile,

@@ -1,7 +1,7 @@
 //! What a scene will cost, told before anything is allocated.
 
 use crate::limits::PARTICLE_BYTES;
-use crate::{Emitter, Matter, Object, Scene, SurfaceRoom, Time};
+use crate::{Emitter, Matter, Object, Scene, Surface, SurfaceRoom, Time};
 
 /// What one object will need.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -14,6 +14,8 @@ pub struct ObjectCost {
     pub state_bytes: Option<u64>,
     /// Room for its surface; `None` where it has none, and where only a particle file tells.
     pub surface: Option<SurfaceRoom>,
+    /// Likewise for its layers of detail.
+    pub details: Vec<SurfaceRoom>,
 }
 
 impl Scene {
@@ -24,8 +26,10 @@ impl Scene {
         let cost = |object: &Object| {
             let particles = object.capacity(step_secs);
             let state_bytes = particles.map(|particles| particles.saturating_mul(PARTICLE_BYTES));
-            let surface = object.surface_room(step_secs);
-            ObjectCost { name: object.name.clone(), particles, state_bytes, surface }
+            let room = |surface| object.surface_room(surface, step_secs);
+            let surface = object.shape.surface().and_then(room);
+            let details = object.details.iter().filter_map(|detail| room(&detail.surface)).collect();
+            ObjectCost { name: object.name.clone(), particles, state_bytes, surface, details }
         };
         self.objects.iter().map(cost).collect()
     }
@@ -63,8 +67,7 @@ impl Object {
 }
 
 impl Object {
-    fn surface_room(&self, step_secs: f64) -> Option<SurfaceRoom> {
-        let surface = self.shape.surface()?;
+    fn surface_room(&self, surface: &Surface, step_secs: f64) -> Option<SurfaceRoom> {
         match &self.matter {
             Matter::Still(particles) => Some(surface.plan(particles).room),
             Matter::Smoke(smoke) => Some(surface.plan_smoke(smoke, step_secs).room),

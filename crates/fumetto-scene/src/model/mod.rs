@@ -32,6 +32,6 @@ pub use scene::{Background, Output, Scene, Time};
 pub use shape::Shape;
 pub use smoke::{Burst, Emitter, EmitterShape, Force, Smoke};
 pub use style::{Shading, Shadow, Style};
-pub use surface::{Noise, Resolution, Surface};
+pub use surface::{Detail, Noise, Resolution, Surface};
 pub use surface_plan::{Spacing, SurfacePlan, SurfaceRoom};
 pub use tones::{Exaggerate, Gooch, Highlight, Ramp, RampImage, RampRows, Rim, Tone};

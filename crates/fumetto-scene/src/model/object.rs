@@ -1,4 +1,4 @@
-use crate::{Mesh, Particle, Shape, Smoke, Style};
+use crate::{Detail, Mesh, Particle, Shape, Smoke, Style};
 
 /// A thing in the scene: matter, its shape, and how it is drawn.
 #[derive(Clone, Debug, PartialEq)]
@@ -11,6 +11,8 @@ pub struct Object {
     pub matter: Matter,
     /// How its particles get a shape.
     pub shape: Shape,
+    /// Surfaces inside its own.
+    pub details: Vec<Detail>,
     /// How it is drawn: the scene's style with the object's changes.
     pub style: Style,
     /// Flat transparency of the whole object, from 0 to 1 (opaque).

@@ -1,3 +1,5 @@
+use crate::Ink;
+
 /// Álvarez's implicit surface: one closed skin round all particles.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Surface {
@@ -9,6 +11,18 @@ pub struct Surface {
     pub size: f32,
     /// What roughens it.
     pub noise: Option<Noise>,
+}
+
+/// A surface inside another, made of the same particles, of which only lines are drawn (Álvarez et al. 2007,
+/// section 5).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Detail {
+    /// Its `size` is over the particles' own radii, as that of the surface around it is.
+    pub surface: Surface,
+    /// Multiplies the particles' masses; above zero.
+    pub mass: f32,
+    /// How its lines are drawn.
+    pub ink: Ink,
 }
 
 /// How finely a surface is sampled.

@@ -22,8 +22,8 @@ pub(crate) struct DrawList {
     pub(crate) items: wgpu::Buffer,
     /// Arguments of an indirect draw; then how many items are listed.
     pub(crate) draw: wgpu::Buffer,
-    /// Two triangles for every four corners.
-    indices: wgpu::Buffer,
+    /// Two triangles for every four corners; without it, there are six corners.
+    indices: Option<wgpu::Buffer>,
     before: wgpu::Buffer,
 }
 
@@ -50,6 +50,12 @@ struct CompactionUniform {
 impl DrawList {
     /// Room for `capacity` items of up to `quads` quads each.
     pub(crate) fn new(gpu: &Gpu, label: &str, capacity: u32, quads: u32) -> Self {
+        let indices = quad_indices(gpu, (capacity * quads).max(1));
+        Self { indices: Some(indices), ..Self::without_indices(gpu, label, capacity) }
+    }
+
+    /// Room for `capacity` items, each corner of whose quads is worked out for both of its triangles.
+    pub(crate) fn without_indices(gpu: &Gpu, label: &str, capacity: u32) -> Self {
         let buffer = |words: u32, usage| {
             gpu.device.create_buffer(&wgpu::BufferDescriptor {
                 label: Some(label),
@@ -61,17 +67,24 @@ impl DrawList {
         Self {
             items: buffer(capacity, wgpu::BufferUsages::COPY_SRC),
             draw: buffer(6, wgpu::BufferUsages::INDIRECT | wgpu::BufferUsages::COPY_SRC),
-            indices: quad_indices(gpu, (capacity * quads).max(1)),
+            indices: None,
             before: buffer(capacity.div_ceil(RUN), wgpu::BufferUsages::empty()),
         }
     }
 }
 
 impl DrawList {
-    /// Draws the quads of the listed items; four vertices in a row are the corners of one.
+    /// Draws the quads of the listed items; four vertices in a row are the corners of one, or without indices
+    /// six in the order 0, 1, 2, 0, 2, 3.
     pub(crate) fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
-        pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint32);
-        pass.draw_indexed_indirect(&self.draw, 0);
+        match &self.indices {
+            Some(indices) => {
+                pass.set_index_buffer(indices.slice(..), wgpu::IndexFormat::Uint32);
+                pass.draw_indexed_indirect(&self.draw, 0);
+            }
+            // Their arguments begin alike.
+            None => pass.draw_indirect(&self.draw, 0),
+        }
     }
 }
 

@@ -1,9 +1,10 @@
 // Finds the candidates whose lines may be seen from the camera.
 
-@group(0) @binding(1) var<storage, read> candidates: array<Candidate>;
 @group(0) @binding(2) var<storage, read> vertices: array<Vertex>;
 @group(0) @binding(3) var<uniform> pens: array<Pen, MAX_PENS>;
 @group(0) @binding(4) var<storage, read_write> flags: array<u32>;
+@group(0) @binding(5) var<storage, read> triangles: array<Triangle>;
+@group(0) @binding(6) var<storage, read> parts: array<Part>;
 
 // Whether all of a segment lies behind the near plane, or beyond one side of the picture.
 fn is_outside(segment: Segment) -> bool {
@@ -27,10 +28,10 @@ fn is_outside(segment: Segment) -> bool {
 @compute @workgroup_size(256)
 fn main(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: vec3u, @builtin(local_invocation_index) lane: u32) {
     let index = (group.y * groups.x + group.x) * 256u + lane;
-    if index >= arrayLength(&candidates) {
+    if index >= arrayLength(&flags) {
         return;
     }
-    let segment = segment_of(candidates[index]);
+    let segment = segment_of(candidate_at(index));
     var shows = segment.pen != NO_PEN;
     if shows {
         let dashed = (pens[segment.pen].flags & DASHES_HIDDEN) != 0u;

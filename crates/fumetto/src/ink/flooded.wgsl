@@ -11,13 +11,6 @@
 // How much nearer than the line a surface may come toward it, in metres to a metre beside it: 76 degrees.
 const SLOPE: f32 = 4.0;
 
-fn object_of(id: u32) -> u32 {
-    if (id & TRIANGLE_BIT) != 0u {
-        return parts[triangles[id & ~TRIANGLE_BIT].part].object;
-    }
-    return puff_object(puffs[id - 1u]);
-}
-
 @vertex
 fn vertex(@builtin(vertex_index) index: u32) -> @builtin(position) vec4f {
     return tile_corner(index, textureDimensions(seeds), TILE, tiles[index / 6u] != 0u);

@@ -16,6 +16,15 @@ const BORDERS_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::R8Unorm;
 /// Pixels along the side of a tile that lines are looked for in. Also in `tiles.wgsl`.
 const LOOK_TILE_PX: u32 = 16;
 
+/// `Image` of `image.wgsl`.
+#[repr(C)]
+#[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
+struct ImageUniform {
+    radius_px: f32,
+    first: u32,
+    pad: [u32; 2],
+}
+
 /// Long-lived pipelines.
 #[derive(Debug)]
 pub(crate) struct Image {
@@ -105,7 +114,10 @@ impl Image {
             ],
         );
         let seeds = frame.texture("ink.image", layers.size, SEED_FORMAT);
-        let uniform = frame.uniform("ink.image.uniform", &[methods.radius_px, 0.0, 0.0, 0.0]);
+        let uniform = frame.uniform(
+            "ink.image.uniform",
+            &ImageUniform { radius_px: methods.radius_px, first: methods.first as u32, pad: [0; 2] },
+        );
         frame.raster(
             "ink.image",
             &self.find,
@@ -131,4 +143,12 @@ impl Image {
         );
         seeds
     }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gpu::layout_test;
+
+    layout_test!(lies_as_its_twin: ImageUniform, "Image" of "ink/image" { radius_px, first });
 }

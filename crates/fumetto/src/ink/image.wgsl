@@ -8,6 +8,8 @@
 struct Image {
     // Half the width of the widest line.
     radius_px: f32,
+    // Number of the first object that has lines.
+    first: u32,
 }
 
 @group(0) @binding(1) var<uniform> image: Image;
@@ -31,8 +33,9 @@ const THINNEST_PX: f32 = 0.7;
 fn half_width_px(p: Seen, edge: Border) -> f32 {
     let pen = pens[pen_number(p.object, edge.kind)];
     let full = max(pen.width_px, pen.width_m * view.focal_px / p.distance);
-    let width = full * edge.share * thinned(styles[p.object], p.normal, p.place);
-    let draws = (pen.flags & DRAWS) != 0u && edge.share > 0.0 && (width >= THINNEST_PX || edge.share == 1.0);
+    let kept = thinned(styles[p.object], p.normal, p.place);
+    let width = full * edge.share * kept;
+    let draws = (pen.flags & DRAWS) != 0u && kept >= FINEST && edge.share > 0.0 && (width >= THINNEST_PX || edge.share == 1.0);
     return min(0.5 * select(0.0, max(width, 1.0), draws), image.radius_px);
 }
 
@@ -71,6 +74,9 @@ fn fragment(@builtin(position) position: vec4f) -> @location(0) vec2u {
         discard;
     }
     let own = seen_at(id, px);
+    if own.object < image.first {
+        discard;
+    }
     var edge = Border(KINDS, 0.0);
     var aside = vec2i(0);
     for (var way = 0; way < 4; way++) {

@@ -21,18 +21,21 @@ pub(crate) struct Methods {
     pub(crate) hybrid: bool,
     /// Half the width of the widest line, in samples.
     pub(crate) radius_px: f32,
+    /// Number of the first object; what else is in its layers comes before it and has its lines elsewhere.
+    pub(crate) first: usize,
 }
 
 impl Methods {
     /// What those of `objects` want that `members` numbers, in a picture `height_px` samples high.
-    pub(crate) fn of(objects: &[Object], members: &[usize], height_px: u32) -> Self {
-        let mut methods = Self::default();
+    pub(crate) fn of(objects: &[&Object], members: &[usize], height_px: u32) -> Self {
+        let first = members.iter().copied().min().unwrap_or(0);
+        let mut methods = Self { first, ..Self::default() };
         for &member in members {
             let style = &objects[member].style;
             if !style.ink.on {
                 continue;
             }
-            match ink_method(&objects[member]) {
+            match ink_method(objects[member]) {
                 InkMethod::Angle => methods.angle = true,
                 InkMethod::Shell => methods.shells.push(member),
                 InkMethod::Image => methods.image = true,

@@ -4,6 +4,7 @@ mod angle;
 mod flood;
 mod gather;
 mod image;
+mod inner;
 mod methods;
 mod outline;
 mod pen;
@@ -15,10 +16,12 @@ mod vector;
 pub(crate) use angle::Angle;
 pub(crate) use gather::{Gather, InkAround};
 pub(crate) use image::Image;
+pub(crate) use inner::Inner;
 pub(crate) use methods::Methods;
 pub(crate) use outline::Outline;
 pub(crate) use pen::{MAX_PENS, Pen};
 pub(crate) use shell::Shell;
-pub(crate) use vector::{Lines, Vector};
+pub(crate) use vector::Vector;
 
-use outline::INK_FORMAT;
+/// Number of the pen + 1, 0 where there is no ink; opacity of the line, 0 to 255.
+pub(crate) const INK_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rg8Uint;

@@ -1,14 +1,11 @@
 //! Outlines by ink billboards behind the puffs.
 
-use super::Lines;
+use super::INK_FORMAT;
 use crate::{
     gpu::{DrawList, Frame, Gpu, RasterPipeline, Target, Transient, shader},
     layers::{self, Layers},
     shapes::puffs::{Atlas, Subject},
 };
-
-/// Number of the pen + 1, 0 where there is no ink; opacity of the line, 0 to 255.
-pub(crate) const INK_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rg8Uint;
 
 /// The long-lived pipeline.
 #[derive(Debug)]
@@ -28,25 +25,20 @@ impl Outline {
         Self { pipeline: pipeline.build(&gpu.device, &module) }
     }
 
-    /// Inks the listed puffs, among `lines` where there are any.
+    /// Inks the listed puffs into `ink`, where they are nearer than `depth` tells.
     pub(crate) fn record(
         &self,
         frame: &mut Frame<'_>,
         subject: Subject<'_>,
         list: &DrawList,
-        layers: &Layers,
-        lines: Option<Lines>,
-    ) -> Transient {
-        let (ink, depth) = lines.map_or_else(
-            || (frame.texture("ink.outline", layers.size, INK_FORMAT), None),
-            |lines| (lines.ink, Some(lines.depth)),
-        );
-        let clear = depth.is_none().then_some(wgpu::Color::TRANSPARENT);
+        (layers, depth): (&Layers, &Transient),
+        ink: &Transient,
+    ) {
         let Atlas { view: texture, sampler, uniform, .. } = &subject.scene.atlas;
         frame.raster(
             "ink.outline",
             &self.pipeline,
-            Target::colour(&ink, clear).with_depth_test(depth.as_ref().unwrap_or(&layers.depth)),
+            Target::colour(ink, None).with_depth_test(depth),
             &[
                 subject.view.as_entire_binding(),
                 uniform.as_entire_binding(),
@@ -61,6 +53,5 @@ impl Outline {
             ],
             |pass| list.draw(pass),
         );
-        ink
     }
 }

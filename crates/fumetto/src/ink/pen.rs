@@ -2,6 +2,8 @@
 
 use fumetto_scene::{EdgeKind, HiddenLines, InkMethod, Matter, Object, Width, limits};
 
+use crate::object::ink_method;
+
 /// `Pen` of `pen.wgsl`.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, bytemuck::Pod, bytemuck::Zeroable)]
@@ -29,12 +31,12 @@ const _: () = assert!(EdgeKind::ALL.len() * limits::MAX_OBJECTS < MAX_PENS, "eve
 impl Pen {
     /// The pens of all `objects`, for the cel of those that `members` numbers, in a picture `height_px` samples
     /// high; those beyond draw nothing.
-    pub(crate) fn of_all(objects: &[Object], members: &[usize], height_px: u32) -> [Self; MAX_PENS] {
+    pub(crate) fn of_all(objects: &[&Object], members: &[usize], height_px: u32) -> [Self; MAX_PENS] {
         let mut all = [bytemuck::Zeroable::zeroed(); MAX_PENS];
         let pens = |(index, object)| {
             EdgeKind::ALL.map(|kind| Self::new(object, kind, members.contains(&index), height_px))
         };
-        for (slot, pen) in all.iter_mut().zip(objects.iter().enumerate().flat_map(pens)) {
+        for (slot, pen) in all.iter_mut().zip(objects.iter().copied().enumerate().flat_map(pens)) {
             *slot = pen;
         }
         all
@@ -51,8 +53,8 @@ impl Pen {
         let draws = ink.on && pen.on && (width_px > 0.0 || width_m > 0.0);
         let follows_edges = draws
             && in_cel
-            && matches!(object.matter, Matter::Mesh(_))
-            && matches!(ink.method, InkMethod::Vector | InkMethod::Hybrid);
+            && (matches!(object.matter, Matter::Mesh(_)) || object.shape.surface().is_some())
+            && matches!(ink_method(object), InkMethod::Vector | InkMethod::Hybrid);
         let flag = |on, bit| if on { bit } else { 0 };
         Self {
             colour: ink.colour_of(kind).to_srgb8().map(|channel| f32::from(channel) / 255.0),
@@ -69,7 +71,7 @@ impl Pen {
         }
     }
 
-    /// Whether it draws along the edges of a model of the cel.
+    /// Whether it draws along the edges or contours of something of the cel.
     pub(crate) fn follows_edges(&self) -> bool {
         self.flags & FOLLOWS_EDGES != 0
     }

@@ -13,7 +13,7 @@ struct Pen {
     shortest_px: f32,
     // How wide lines are where the light thins them.
     thinnest_px: f32,
-    // Bit 0: draws. Bit 1: along the edges of a model of this cel. Bit 2: dashes what is hidden.
+    // Bit 0: draws. Bit 1: along the edges of a model, or contours of a surface, of this cel. Bit 2: dashes what is hidden.
     flags: u32,
     // Share of a line's width that goes where it faces the light.
     lit_thinning: f32,
@@ -32,6 +32,9 @@ const CREASE: u32 = 1u;
 const BOUNDARY: u32 = 2u;
 const MATERIAL: u32 = 3u;
 const KINDS: u32 = 4u;
+
+// Share of a pen's width under which a line that the light thins is gone: at a hair's width it would break.
+const FINEST: f32 = 0.25;
 
 // Number of a pen. The ink layer holds it + 1, and 0 where there is no ink.
 fn pen_number(object: u32, kind: u32) -> u32 {

@@ -1,4 +1,4 @@
-//! Outlines of meshes by a larger copy, of which only the far side is drawn.
+//! Outlines of meshes and surfaces by a larger copy, of which only the far side is drawn.
 
 use super::INK_FORMAT;
 use crate::{
@@ -36,7 +36,8 @@ impl Shell {
     ) {
         let meshes = subject.meshes;
         let ranges = || objects.iter().map(|&object| meshes.objects[object].clone());
-        if ranges().all(|range| range.is_empty()) {
+        let counted = || meshes.reserved.iter().filter(|reserved| objects.contains(&reserved.object));
+        if ranges().all(|range| range.is_empty()) && counted().next().is_none() {
             return;
         }
         frame.raster(
@@ -56,6 +57,9 @@ impl Shell {
             |pass| {
                 for range in ranges() {
                     pass.draw(3 * range.start..3 * range.end, 0..1);
+                }
+                for reserved in counted() {
+                    pass.draw_indirect(&reserved.counters, 0);
                 }
             },
         );

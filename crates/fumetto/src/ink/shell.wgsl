@@ -19,6 +19,14 @@ struct Corner {
     @location(0) @interpolate(flat) mark: vec2u,
 }
 
+// How a vertex moves. One of a surface that the device makes goes along its normal, and the surface has no end.
+fn push_of(part: Part, vertex: u32) -> Push {
+    if (part.look & NO_SOURCES) != 0u {
+        return Push(vertices[vertex].normal, 1.0, 0u, 0.0);
+    }
+    return pushes[vertex];
+}
+
 @vertex
 fn vertex(@builtin(vertex_index) index: u32) -> Corner {
     let triangle = triangles[index / 3u];
@@ -28,8 +36,9 @@ fn vertex(@builtin(vertex_index) index: u32) -> Corner {
     let c = vertices[corners.z].position;
     let normal = cross(b - a, c - a);
     let is_far_side = dot(normal, view.world_from_view[3].xyz - a) <= 0.0;
-    let ends = pushes[corners.x].sideways_length + pushes[corners.y].sideways_length + pushes[corners.z].sideways_length > 0.0;
     let part = parts[triangle.part];
+    let ends = push_of(part, corners.x).sideways_length + push_of(part, corners.y).sideways_length
+        + push_of(part, corners.z).sideways_length > 0.0;
     let number = pen_number(part.object, select(BOUNDARY, SILHOUETTE, is_far_side));
     let pen = pens[number];
     if (pen.flags & DRAWS) == 0u || !(is_far_side || ends) {
@@ -37,7 +46,7 @@ fn vertex(@builtin(vertex_index) index: u32) -> Corner {
     }
     let own = corners[index % 3u];
     let place = vertices[own].position;
-    let push = pushes[own];
+    let push = push_of(part, own);
     let world = part.world_from_part;
     let outward = unit(turned_normal(world, octahedral_unpacked(push.outward)));
     let sideways = unit((world * vec4f(octahedral_unpacked(push.sideways), 0.0)).xyz);

@@ -4,7 +4,6 @@
 // What hides a line is asked of the depth layer at the line's own middle, not at the pixel: the outer half of a
 // silhouette would else be compared with what lies behind, the inner half with the surface that bulges out.
 
-@group(0) @binding(1) var<storage, read> candidates: array<Candidate>;
 @group(0) @binding(2) var<storage, read> vertices: array<Vertex>;
 @group(0) @binding(3) var<uniform> pens: array<Pen, MAX_PENS>;
 @group(0) @binding(4) var<storage, read> list: array<u32>;
@@ -81,7 +80,8 @@ fn lit_between(a: Vertex, b: Vertex) -> f32 {
 
 @vertex
 fn vertex(@builtin(vertex_index) index: u32) -> Corner {
-    let candidate = candidates[list[index / 4u]];
+    let place = strip_corner(index);
+    let candidate = candidate_at(list[place.x]);
     let segment = segment_of(candidate);
     let pen = pens[segment.pen];
     let first = in_view(segment.start);
@@ -100,7 +100,8 @@ fn vertex(@builtin(vertex_index) index: u32) -> Corner {
     let thinned = 1.0 - pen.lit_thinning * select(lit, vec2f(0.5 * (lit.x + lit.y)), is_contour);
     // A line that is thinner than a sample would break.
     let widths = thinned * vec2f(pen_width_px(pen, -start.z), pen_width_px(pen, -end.z));
-    let half_widths = max(0.5 * widths, vec2f(0.5));
+    let is_gone = all(thinned < vec2f(FINEST));
+    let half_widths = select(max(0.5 * widths, vec2f(0.5)), vec2f(0.0), is_gone);
     let depths = vec2f(depth_of(-start.z), depth_of(-end.z));
 
     let range = depth_range(candidate.left);
@@ -117,10 +118,10 @@ fn vertex(@builtin(vertex_index) index: u32) -> Corner {
     let marks = select(0u, UNSEEN, segment.behind)
         | select(0u, DASHES_START, !is_contour && distance >= period)
         | select(0u, CONTOUR_MARK, is_contour);
-    let corner = index % 4u;
+    let corner = place.y;
     let at_end = corner == 1u || corner == 2u;
     let side = select(-1.0, 1.0, corner >= 2u);
-    let reach = max(half_widths.x, half_widths.y) + 0.5;
+    let reach = select(max(half_widths.x, half_widths.y) + 0.5, 0.0, is_gone);
     let outward = reach * (direction * select(-1.0, 1.0, at_end) + vec2f(-direction.y, direction.x) * side);
     return Corner(
         clip_of(select(middle.xy, middle.zw, at_end) + outward, 0.5),

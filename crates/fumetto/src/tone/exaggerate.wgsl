@@ -17,12 +17,8 @@ fn grazing(normal: vec3f, smoother: vec3f, toward_light: vec3f, contrast: f32) -
 fn smoothed_mesh_normal(seen: Seen, scale: i32) -> vec3f {
     var sum = vec3f(0.0);
     for (var corner = 0; corner < 3; corner++) {
-        let at = seen.corners[corner] * u32(MAX_SCALES) + u32(scale);
-        // Shapes that are made on the device have no smoothed normals.
-        if at >= arrayLength(&smoothed) {
-            return seen.normal;
-        }
-        sum += octahedral_unpacked(smoothed[at]) * seen.weights[corner];
+        let normal = smoothed[seen.corners[corner] * u32(MAX_SCALES) + u32(scale)];
+        sum += octahedral_unpacked(normal) * seen.weights[corner];
     }
     let normal = turned_normal(parts[seen.part].world_from_part, sum) * seen.side;
     return normal / max(length(normal), 1e-20);
@@ -31,15 +27,16 @@ fn smoothed_mesh_normal(seen: Seen, scale: i32) -> vec3f {
 // How much light there is from 0 to 1 (equation 2): the mean over all sizes, and the smoothest surface as
 // the light really falls on it.
 fn exaggerated(seen: Seen, at: Sight, toward_light: vec3f, tone: ToneStyle) -> f32 {
-    // Smoke has two sizes of its own, its puffs and the whole cloud's form; the others lie in between.
-    let is_puff = !HAS_MESHES || seen.side == 0.0;
-    let form = select(vec3f(0.0), form_at(at.place, seen.object), is_puff);
+    // Smoke has two sizes of its own, its puffs or its surface and the whole cloud's form; the others lie in
+    // between. Only what comes from files has smoothed normals.
+    let is_model = HAS_MESHES && seen.side != 0.0 && (parts[seen.part].look & NO_SOURCES) == 0u;
+    let form = select(form_at(at.place, seen.object), vec3f(0.0), is_model);
     var normal = seen.normal;
     var sum = 0.0;
     for (var scale = 0; scale < tone.exaggerate_scales; scale++) {
         let bent = mix(seen.normal, form, f32(scale + 1) / f32(tone.exaggerate_scales));
         var smoother = bent / max(length(bent), 1e-4);
-        if HAS_MESHES && !is_puff {
+        if is_model {
             smoother = smoothed_mesh_normal(seen, scale);
         }
         sum += grazing(normal, smoother, toward_light, tone.exaggerate_contrast);

@@ -7,9 +7,9 @@ use crate::{
     stage::{BACKGROUND, CORE, DISTANCE, Files, PX_PER_METRE, Picture, Rgb, SIDE, Stage, style},
 };
 
-const INK: Rgb = [0x10, 0x10, 0x18];
+pub(crate) const INK: Rgb = [0x10, 0x10, 0x18];
 
-fn inked(method: &str, ink: &str) -> Stage {
+pub(crate) fn inked(method: &str, ink: &str) -> Stage {
     let ink = format!(
         "ink = {{ on = true, method = \"{method}\", colour = \"#101018\", lit_thinning = 0, shortest = 0, {ink} }}"
     );
@@ -34,7 +34,7 @@ fn outside(picture: &Picture) -> Vec<bool> {
 }
 
 #[track_caller]
-fn assert_closed(picture: &Picture) {
+pub(crate) fn assert_closed(picture: &Picture) {
     let outside = outside(picture);
     let leak =
         picture.places().find(|&(x, y)| outside[(y * SIDE + x) as usize] && picture.rgb(x, y) != BACKGROUND);
@@ -43,7 +43,7 @@ fn assert_closed(picture: &Picture) {
 
 /// Asserts that ink makes a closed ring between two radii on average, to `tolerance` pixels of its width.
 #[track_caller]
-fn assert_ring(picture: &Picture, [inner, outer]: [f32; 2], tolerance: f32) {
+pub(crate) fn assert_ring(picture: &Picture, [inner, outer]: [f32; 2], tolerance: f32) {
     assert_closed(picture);
     let ink = picture.count(INK) as f32;
     let width = ink / (PI * (inner + outer));
@@ -51,7 +51,7 @@ fn assert_ring(picture: &Picture, [inner, outer]: [f32; 2], tolerance: f32) {
 }
 
 /// Radius of a ball of `radius` metres in the picture: seen at a distance it shows a cone.
-fn silhouette(radius: f32) -> f32 {
+pub(crate) fn silhouette(radius: f32) -> f32 {
     PX_PER_METRE * DISTANCE * (radius / DISTANCE).asin().tan()
 }
 

@@ -4,6 +4,7 @@
 mod balls;
 mod cels;
 mod colours;
+mod details;
 mod edges;
 mod errors;
 mod exports;
@@ -18,6 +19,7 @@ mod relief;
 mod shadings;
 mod shadows;
 mod stage;
+mod surface_lines;
 mod surface_shadows;
 mod surfaces;
 mod time;

@@ -27,7 +27,7 @@ fn waves(slope: f32) -> String {
 }
 
 /// Standard deviation of what is drawn, in bytes.
-fn contrast(picture: &Picture) -> f32 {
+pub(crate) fn contrast(picture: &Picture) -> f32 {
     let values: Vec<_> = picture
         .places()
         .map(|(x, y)| picture.rgb(x, y))
@@ -38,7 +38,7 @@ fn contrast(picture: &Picture) -> f32 {
     (values.iter().map(|value| (value - mean).powi(2)).sum::<f32>() / values.len() as f32).sqrt()
 }
 
-const GREYS: &str = "tones = { dark = \"#000000\", light = \"#ffffff\", steps = 32 }";
+pub(crate) const GREYS: &str = "tones = { dark = \"#000000\", light = \"#ffffff\", steps = 32 }";
 
 #[test]
 fn exaggeration_brings_out_relief_and_leaves_flat_what_is_flat() {

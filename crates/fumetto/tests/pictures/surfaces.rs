@@ -10,7 +10,7 @@ const MIDDLE: u32 = SIDE / 2;
 
 /// Radius of a lone particle of mass 1 whose surface has a radius of 1 at a threshold of 0.05: equation 2 of
 /// Álvarez et al. 2007 solved for the distance.
-const REACH: f32 = 1.134_967_9;
+pub(crate) const REACH: f32 = 1.134_967_9;
 
 fn assert_close(actual: f32, expected: f32, tolerance: f32) {
     assert!((actual - expected).abs() < tolerance, "{actual}, should be {expected}");
@@ -93,6 +93,73 @@ fn a_transparent_surface_is_even() {
     let colours = picture.colours();
     assert_eq!(colours.len(), 2, "{colours:?}");
     assert!(picture.drawn() > 10_000 && !colours.contains(&[255; 3]));
+}
+
+/// Lobes that hide each other, with noise on them.
+const LOBES: [[f32; 4]; 5] = [
+    [0.0, 0.0, 2.0, 2.0],
+    [1.4, 0.6, 0.0, 2.2],
+    [-1.6, 0.4, -1.0, 2.0],
+    [0.2, -1.2, 0.5, 1.6],
+    [0.3, 1.6, -2.0, 2.4],
+];
+const NOISY: &str = "subdivisions = 64, noise = { amplitude = 1.5, size = 0.7 }";
+
+#[test]
+fn a_transparent_surface_covers_its_mask_times_its_opacity() {
+    for ink in ["ink = { on = false }", "ink = { on = true, width = { px = 5 } }"] {
+        let coverage = |opacity: f32| {
+            let stage = Stage {
+                background: String::new(),
+                output: format!("size = [{SIDE}, {SIDE}], antialias = 2"),
+                style: style(&["#405060", "#ffffff"], ink),
+                ..Stage::default()
+            };
+            let picture = stage.surface("cloud", &LOBES, NOISY, &format!("opacity = {opacity}")).picture();
+            picture.places().map(|(x, y)| f32::from(picture.rgba(x, y)[3]) / 255.0).sum::<f32>()
+        };
+        let mask = coverage(1.0);
+        assert!(mask > 20_000.0, "{mask} pixels");
+        for opacity in [0.2, 0.6] {
+            assert_close(coverage(opacity) / mask, opacity, 0.003);
+        }
+    }
+}
+
+/// Encoded bytes as linear light.
+fn linear(rgb: Rgb) -> [f32; 3] {
+    rgb.map(|byte| {
+        let share = f32::from(byte) / 255.0;
+        if share <= 0.040_45 { share / 12.92 } else { ((share + 0.055) / 1.055).powf(2.4) }
+    })
+}
+
+#[test]
+fn among_others_a_transparent_surface_is_one_even_veil() {
+    let picture = |visible: bool, opacity: f32| {
+        let stage = Stage { style: style(&["#405060", "#ffffff"], ""), ..Stage::default() };
+        stage
+            .mesh("ball", "ball.obj", RED)
+            .balls("puff", &[[-1.5, -0.5, 4.0, 1.2]], BLUE)
+            .surface("solid", &[[2.5, 1.0, 0.5, 1.8]], "", "")
+            .surface("glass", &LOBES, NOISY, &format!("visible = {visible}\nopacity = {opacity}"))
+            .picture_with(Files::default().with("ball.obj", crate::models::ball(2.2, 32)))
+    };
+    let (without, solid, veil) = (picture(false, 1.0), picture(true, 1.0), picture(true, 0.4));
+    let mut veiled = 0;
+    for (x, y) in solid.places() {
+        veiled += usize::from(veil.rgb(x, y) != without.rgb(x, y));
+        let (below, above, seen) =
+            (linear(without.rgb(x, y)), linear(solid.rgb(x, y)), linear(veil.rgb(x, y)));
+        for channel in 0..3 {
+            let expected = below[channel] + 0.4 * (above[channel] - below[channel]);
+            assert!(
+                (seen[channel] - expected).abs() < 0.01,
+                "at {x}, {y}: {seen:?} of {below:?} under {above:?}"
+            );
+        }
+    }
+    assert!(veiled > 10_000, "{veiled} pixels");
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! For programs.
 
-use fumetto_scene::{Matter, Object, Ramp, Scene, Shading, Style};
+use fumetto_scene::{Matter, Object, Ramp, Scene, Shading, Style, SurfaceRoom};
 use serde_json::{Value, json};
 
 use super::{Load, background, duration_secs, hex, is_by_tiles, light_kind, sum};
@@ -41,6 +41,7 @@ fn object_json(object: &Object, load: &Load) -> Value {
         Matter::Mesh(mesh) => ("mesh", 0, 0, Some(&mesh.model)),
         Matter::Smoke(smoke) => ("smoke", smoke.emitters.len(), smoke.forces.len(), None),
     };
+    let detail = |room: &SurfaceRoom| json!({ "triangles": room.triangles, "bytes": room.bytes() });
     json!({
         "name": object.name,
         "kind": kind,
@@ -51,6 +52,7 @@ fn object_json(object: &Object, load: &Load) -> Value {
         "particles": load.particles,
         "triangles": load.triangles,
         "surface": load.surface.map(|room| json!({ "triangles": room.triangles, "bytes": load.surface_bytes() })),
+        "details": load.details.iter().map(detail).collect::<Vec<_>>(),
         "bytes": load.bytes(),
         "style": style_json(&object.style),
     })

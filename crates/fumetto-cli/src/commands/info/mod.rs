@@ -9,7 +9,7 @@ use anyhow::Context as _;
 use fumetto::{Assets as _, Tiling};
 use fumetto_formats::{ModelOptions, is_sequence, read_model, read_particles, sequence_path};
 use fumetto_scene::limits::PARTICLE_BYTES;
-use fumetto_scene::{Background, Light, LightKind, Matter, Object, Particle, Scene, SurfaceRoom};
+use fumetto_scene::{Background, Light, LightKind, Matter, Object, Particle, Scene, Surface, SurfaceRoom};
 
 use crate::args::InfoArgs;
 use crate::console;
@@ -30,7 +30,7 @@ pub(crate) fn run(args: &InfoArgs) -> anyhow::Result<ExitCode> {
 }
 
 /// How much one object holds.
-#[derive(Clone, Copy, Default)]
+#[derive(Clone, Default)]
 struct Load {
     /// Most of them at once; of a sequence of files those of the first.
     particles: u64,
@@ -39,15 +39,20 @@ struct Load {
     /// Room for a surface round the particles.
     surface: Option<SurfaceRoom>,
     casts: bool,
+    /// Room for the layers of detail in it.
+    details: Vec<SurfaceRoom>,
 }
 
 impl Load {
     fn of_file(object: &Object, path: &str, particles: &[Particle]) -> Self {
-        let plan = object.shape.surface().map(|surface| {
-            if is_sequence(path) { surface.plan_sequence(particles) } else { surface.plan(particles) }
-        });
-        let surface = plan.map(|plan| plan.room);
-        Self { particles: particles.len() as u64, surface, ..Self::default() }
+        let room = |surface: &Surface| {
+            let plan =
+                if is_sequence(path) { surface.plan_sequence(particles) } else { surface.plan(particles) };
+            plan.room
+        };
+        let surface = object.shape.surface().map(room);
+        let details = object.details.iter().map(|detail| room(&detail.surface)).collect();
+        Self { particles: particles.len() as u64, surface, details, ..Self::default() }
     }
 
     /// Bytes of the surface, and of what it throws shadows with.
@@ -57,7 +62,9 @@ impl Load {
     }
 
     fn bytes(&self) -> u64 {
-        self.particles.saturating_mul(PARTICLE_BYTES).saturating_add(self.surface_bytes())
+        let details =
+            self.details.iter().map(SurfaceRoom::bytes).fold(self.surface_bytes(), u64::saturating_add);
+        self.particles.saturating_mul(PARTICLE_BYTES).saturating_add(details)
     }
 }
 
@@ -78,7 +85,7 @@ fn loads(scene: &Scene, folder: &SceneFolder) -> anyhow::Result<Vec<Load>> {
         }
         Matter::Still(_) | Matter::Smoke(_) => {
             let particles = cost.particles.unwrap_or_default();
-            Ok(Load { particles, surface: cost.surface, ..Load::default() })
+            Ok(Load { particles, surface: cost.surface, details: cost.details, ..Load::default() })
         }
     });
     let mut loads = loads.collect::<anyhow::Result<Vec<_>>>()?;

@@ -24,15 +24,17 @@ pub(super) fn of(name: &str, scene: &Scene, loads: &[Load]) -> String {
         format!("  lights      {lights}"),
         format!("  background  {}", background(scene)),
     ];
-    for (object, &load) in scene.objects.iter().zip(loads) {
+    for (object, load) in scene.objects.iter().zip(loads) {
         lines.push(format!(
             "  `{}`: {}{}",
             object.name,
             matter(object),
             if object.visible { "" } else { ", hidden" }
         ));
-        lines.push(load_words(&load));
-        lines.extend(load.surface.map(|room| surface_words(room.triangles, load.surface_bytes())));
+        lines.push(load_words(load));
+        let surface = load.surface.map(|room| surface_words("surface", room.triangles, load.surface_bytes()));
+        lines.extend(surface);
+        lines.extend(load.details.iter().map(|room| surface_words("detail", room.triangles, room.bytes())));
         lines.push(format!("    style     {}", style_words(&object.style)));
     }
     let sum = sum(loads);
@@ -49,9 +51,9 @@ fn load_words(load: &Load) -> String {
     }
 }
 
-fn surface_words(triangles: u32, bytes: u64) -> String {
+fn surface_words(what: &str, triangles: u32, bytes: u64) -> String {
     let (triangles, bytes) = (HumanCount(triangles.into()), BinaryBytes(bytes));
-    format!("    surface   at most {triangles} triangles, {bytes} on the GPU")
+    format!("    {what:<9} at most {triangles} triangles, {bytes} on the GPU")
 }
 
 fn cost(particles: u64, bytes: u64) -> String {

@@ -1,6 +1,6 @@
 use wgpu::util::DeviceExt as _;
 
-use super::edges::Candidate;
+use super::{MeshScene, edges::Candidate};
 use crate::gpu::{DrawList, Gpu};
 
 /// The places of a scene's models where lines may run, on the device.
@@ -15,6 +15,64 @@ pub(crate) struct EdgeScene {
     pub(crate) list: DrawList,
 }
 
+/// The triangles of a surface that the device makes, in which contours may run.
+#[derive(Debug)]
+pub(crate) struct ContourScene {
+    pub(crate) count: u32,
+    /// For each of them the bit of silhouettes where one is in the view that is drawn; else 0.
+    pub(crate) flags: wgpu::Buffer,
+    /// Those with lines.
+    pub(crate) list: DrawList,
+}
+
+/// A list of places where lines may run, and what is found of them in a view.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct LineScene<'a> {
+    /// Whether each triangle of a surface is one. Then the first binding tells how many there are.
+    pub(crate) of_surface: bool,
+    pub(crate) candidates: &'a wgpu::Buffer,
+    pub(crate) count: u32,
+    pub(crate) flags: &'a wgpu::Buffer,
+    pub(crate) list: &'a DrawList,
+}
+
+impl ContourScene {
+    /// For so many triangles.
+    pub(super) fn new(gpu: &Gpu, triangles: u32) -> Self {
+        Self {
+            count: triangles,
+            flags: flags(gpu, "shapes.mesh.contours", triangles),
+            // There may be millions, of which few have lines: too many to have indices for.
+            list: DrawList::without_indices(gpu, "shapes.mesh.contours", triangles),
+        }
+    }
+}
+
+impl MeshScene {
+    /// All that lines of the objects may run along which `members` numbers.
+    pub(crate) fn lines(&self, members: &[usize]) -> Vec<LineScene<'_>> {
+        let EdgeScene { candidates, count, flags, list } = &self.edges;
+        let models = LineScene { of_surface: false, candidates, count: *count, flags, list };
+        let has_models = *count > 0 && members.iter().any(|&member| !self.objects[member].is_empty());
+        let made = self.reserved.iter().filter(|reserved| members.contains(&reserved.object));
+        let surfaces = made.filter_map(|reserved| {
+            let ContourScene { count, flags, list } = reserved.contours.as_ref()?;
+            let candidates = &reserved.counters;
+            Some(LineScene { of_surface: true, candidates, count: *count, flags, list })
+        });
+        has_models.then_some(models).into_iter().chain(surfaces).collect()
+    }
+}
+
+fn flags(gpu: &Gpu, label: &str, count: u32) -> wgpu::Buffer {
+    gpu.device.create_buffer(&wgpu::BufferDescriptor {
+        label: Some(label),
+        size: u64::from(count.max(1)) * 4,
+        usage: wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC,
+        mapped_at_creation: false,
+    })
+}
+
 impl EdgeScene {
     pub(crate) fn new(gpu: &Gpu, candidates: &[Candidate]) -> Self {
         let count = candidates.len() as u32;
@@ -26,12 +84,7 @@ impl EdgeScene {
                 usage: wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC,
             }),
             count,
-            flags: gpu.device.create_buffer(&wgpu::BufferDescriptor {
-                label: Some("shapes.mesh.edges"),
-                size: u64::from(count.max(1)) * 4,
-                usage: wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC,
-                mapped_at_creation: false,
-            }),
+            flags: flags(gpu, "shapes.mesh.edges", count),
             list: DrawList::new(gpu, "shapes.mesh.lines", count, 1),
         }
     }

@@ -81,11 +81,12 @@ impl Geometry {
         self.objects.push(end..end);
     }
 
-    /// Adds the next object: a surface that the device makes, of at most so many vertices and triangles.
-    pub(crate) fn add_surface(&mut self, vertices: u32, triangles: u32) {
+    /// Adds the next object: a surface that the device makes, of at most so many vertices and triangles, and
+    /// whether lines run through these.
+    pub(crate) fn add_surface(&mut self, vertices: u32, triangles: u32, has_lines: bool) {
         let part = self.parts.len() as u32;
         let object = self.objects.len();
-        self.reservations.push(Reservation { object, part, vertices, triangles });
+        self.reservations.push(Reservation { object, part, vertices, triangles, has_lines });
         self.groups.push(self.parts.len());
         self.parts.push(Part {
             world_from_part: Mat4::IDENTITY,

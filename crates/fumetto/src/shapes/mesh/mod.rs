@@ -17,6 +17,7 @@ mod tests;
 mod textures;
 
 pub(crate) use body::Body;
+pub(crate) use edge_scene::LineScene;
 pub(crate) use edges::candidates;
 #[cfg(test)]
 pub(crate) use edges::{Candidate, bit};

@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use super::{
     VERTEX_BYTES,
+    edge_scene::ContourScene,
     geometry::Triangle,
     scene::{MeshError, room},
 };
@@ -22,6 +23,8 @@ pub(crate) struct Reservation {
     pub(super) part: u32,
     pub(super) vertices: u32,
     pub(super) triangles: u32,
+    /// Whether lines run through its triangles.
+    pub(super) has_lines: bool,
 }
 
 /// Places in the lists of a [`super::MeshScene`].
@@ -38,6 +41,8 @@ pub(crate) struct Reserved {
     /// Three numbers for each triangle, where they throw shadows: of those beyond its edges, counted from the
     /// first here.
     pub(crate) adjacent: Option<wgpu::Buffer>,
+    /// Where lines may run.
+    pub(crate) contours: Option<ContourScene>,
     vertex_list: wgpu::Buffer,
     triangle_list: wgpu::Buffer,
 }
@@ -78,6 +83,7 @@ impl Reserved {
                 mapped_at_creation: false,
             }),
             adjacent: None,
+            contours: reservation.has_lines.then(|| ContourScene::new(gpu, reservation.triangles)),
             vertex_list: vertex_list.clone(),
             triangle_list: triangle_list.clone(),
         }

@@ -95,7 +95,8 @@ impl Form {
     pub(crate) fn record(&self, frame: &mut Frame<'_>, scene: &PuffScene, members: &[usize]) {
         frame.encoder.clear_buffer(&scene.form.matter, 0, None);
         for &member in members {
-            if scene.objects[member].wants_form {
+            // Surfaces inside others have no puffs of their own.
+            if scene.objects.get(member).is_some_and(|object| object.wants_form) {
                 self.record_object(frame, scene, member);
             }
         }

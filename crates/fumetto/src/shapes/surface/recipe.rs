@@ -52,10 +52,14 @@ pub(super) struct RecipeUniform {
 }
 
 impl Recipe {
-    /// For the shape `surface` of `puffs`.
-    pub(super) fn new(surface: &Surface, puffs: Range<u32>, spacing: Spacing) -> Self {
-        // Puffs bring the factor of their radius along.
-        let (radius_scale, mass_scale) = (1.0, 1.0);
+    /// For the shape `surface` of `puffs`. They bring the factor of their radius along; what is left of it is
+    /// among the scales, of radii and masses.
+    pub(super) fn new(
+        surface: &Surface,
+        [radius_scale, mass_scale]: [f32; 2],
+        puffs: Range<u32>,
+        spacing: Spacing,
+    ) -> Self {
         Self { puffs, threshold: surface.threshold, radius_scale, mass_scale, spacing, noise: surface.noise }
     }
 

@@ -12,6 +12,8 @@ use crate::{
 #[derive(Clone, Debug)]
 pub(crate) struct SurfaceObject {
     pub(crate) surface: fumetto_scene::Surface,
+    /// Of the puffs' radii and masses.
+    pub(crate) scales: [f32; 2],
     pub(crate) plan: SurfacePlan,
     /// Its puffs in the list of all.
     pub(crate) puffs: Range<u32>,
@@ -48,7 +50,7 @@ impl SurfaceScene {
     pub(crate) fn new(gpu: &Gpu, objects: &[SurfaceObject]) -> Self {
         let room = objects.iter().map(|object| object.plan.room).reduce(SurfaceRoom::or);
         let surfaces = objects.iter().map(|object| Made {
-            recipe: Recipe::new(&object.surface, object.puffs.clone(), object.plan.spacing),
+            recipe: Recipe::new(&object.surface, object.scales, object.puffs.clone(), object.plan.spacing),
             room: object.plan.room,
             stands: object.stands,
             made: false,

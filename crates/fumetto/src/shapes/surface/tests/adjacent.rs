@@ -18,8 +18,8 @@ const NOWHERE: u32 = u32::MAX;
 fn assert_neighbours(cloud: &[Particle], recipe: &Recipe, room: SurfaceRoom) -> usize {
     let bench = BENCH.lock().unwrap_or_else(PoisonError::into_inner);
     let mut geometry = Geometry::default();
-    geometry.add_surface(3, 5);
-    geometry.add_surface(room.vertices, room.triangles);
+    geometry.add_surface(3, 5, false);
+    geometry.add_surface(room.vertices, room.triangles, false);
     let shells = Shells { surfaces: vec![false, true], ..Shells::default() };
     let meshes = MeshScene::new(&bench.gpu, &geometry, &shells, &[]).expect("the room is modest");
     let puffs = super::puffs(&bench.gpu, cloud, super::UNFADED);

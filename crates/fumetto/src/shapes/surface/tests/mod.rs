@@ -1,6 +1,7 @@
 //! The surface against closed forms, on whatever adapter there is.
 
 mod adjacent;
+mod figures;
 mod growth;
 mod limits;
 mod merging;
@@ -71,8 +72,8 @@ const PART: u32 = 1;
 /// Room for a surface that is not the first of its scene.
 fn meshes(gpu: &Gpu, room: SurfaceRoom) -> MeshScene {
     let mut geometry = Geometry::default();
-    geometry.add_surface(3, 5);
-    geometry.add_surface(room.vertices, room.triangles);
+    geometry.add_surface(3, 5, false);
+    geometry.add_surface(room.vertices, room.triangles, false);
     MeshScene::new(gpu, &geometry, &Shells::default(), &[]).expect("the room is modest")
 }
 
