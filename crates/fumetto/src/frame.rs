@@ -1,6 +1,5 @@
 //! How a picture is drawn: the page that reads as it happens, top to bottom.
 
-use fumetto_scene::Object;
 use glam::Vec3;
 
 use crate::{
@@ -11,6 +10,7 @@ use crate::{
         Angle, Gather, INK_FORMAT, Image, InkAround, Inner, MAX_PENS, Methods, Outline, Pen, Shell, Vector,
     },
     layers::Layers,
+    lengths::{SETTLE, clean_px},
     light::{Casting, LightsUniform, Shadows, Soften, Volumes},
     object::ObjectStyle,
     proof::Proof,
@@ -19,10 +19,6 @@ use crate::{
     tiles::Part,
     tone::{CEL_FORMAT, Canvas, Compose, Copied, Features, Flat, Inked, Sheet, Sprites, Under},
 };
-
-/// Shadows are cleaned over this many times the length that tones are: their specks come of single puffs,
-/// which are larger than the bumps on them.
-const SETTLE: f32 = 3.0;
 
 /// All passes of a picture.
 pub(crate) struct Painter {
@@ -386,26 +382,6 @@ impl Setting<'_> {
     fn clean_px(&self) -> f32 {
         clean_px(&self.player.drawn(), self.view.picture_height)
     }
-}
-
-/// Least size of a tone's shape in a picture `height_px` samples high, in samples: the largest that any object
-/// wants.
-fn clean_px(objects: &[&Object], height_px: u32) -> f32 {
-    let px = |object: &&Object| object.style.clean_px * height_px as f32 / object.style.height_px;
-    objects.iter().map(px).fold(0.0, f32::max)
-}
-
-/// How far from a pixel of a picture `height_px` samples high anything may lie that it depends on, in samples;
-/// lines' lengths aside, which only a survey tells.
-pub(crate) fn reach_px(objects: &[&Object], height_px: u32) -> f32 {
-    let clean = clean_px(objects, height_px);
-    let members: Vec<usize> = (0..objects.len()).collect();
-    let methods = Methods::of(objects, &members, height_px);
-    // A flood jumps twice as far as it reaches; a line asks what hides its middle.
-    let ink = if methods.image || methods.hybrid { 2.0 } else { 1.0 } * methods.radius_px;
-    // Layers that have a texel for several samples reach farther by so much.
-    const TEXELS_PX: f32 = 8.0;
-    (SETTLE * clean).max(clean).max(ink) + TEXELS_PX
 }
 
 fn write_styles(gpu: &Gpu, setting: &Setting<'_>, cel: &Cel) {

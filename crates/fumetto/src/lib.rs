@@ -32,6 +32,7 @@ mod frame;
 mod gpu;
 mod ink;
 mod layers;
+mod lengths;
 mod light;
 mod object;
 mod particles;

@@ -5,9 +5,9 @@ use fumetto_formats::Image;
 use crate::{
     Engine, Error, Player, Shot,
     engine::picture_texture,
-    frame::reach_px,
     gpu::{Region, read_texture},
     ink::InkAround,
+    lengths::reach_px,
     tiles::{Part, Survey, Tile, Tiles, Tiling},
 };
 

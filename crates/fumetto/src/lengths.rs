@@ -1,0 +1,30 @@
+//! Lengths on a picture that all its passes share. They come of the whole picture's height, also where a tile of
+//! it is drawn.
+
+use fumetto_scene::Object;
+
+use crate::ink::Methods;
+
+/// Shadows are cleaned over this many times the length that tones are: their specks come of single puffs,
+/// which are larger than the bumps on them.
+pub(crate) const SETTLE: f32 = 3.0;
+
+/// Samples along a texel of the coarsest layer, and of those around it that it is mixed with.
+const TEXELS_PX: f32 = 8.0;
+
+/// Least size of a tone's shape in a picture `height_px` samples high, in samples: the largest that any object
+/// wants.
+pub(crate) fn clean_px(objects: &[&Object], height_px: u32) -> f32 {
+    let px = |object: &&Object| object.style.clean_px * height_px as f32 / object.style.height_px;
+    objects.iter().map(px).fold(0.0, f32::max)
+}
+
+/// How far from a pixel of a picture `height_px` samples high anything may lie that it depends on, in samples;
+/// the lengths of lines aside, which only a survey tells.
+pub(crate) fn reach_px(objects: &[&Object], height_px: u32) -> f32 {
+    let members: Vec<usize> = (0..objects.len()).collect();
+    let methods = Methods::of(objects, &members, height_px);
+    // A flood jumps up to twice as far as it reaches; a line asks what hides its middle.
+    let widths = if methods.image || methods.hybrid { 2.0 } else { 1.0 };
+    (SETTLE * clean_px(objects, height_px)).max(widths * methods.radius_px) + TEXELS_PX
+}
