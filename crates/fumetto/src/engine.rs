@@ -198,6 +198,7 @@ impl Engine {
     /// # Errors
     /// When the picture is too large for the device, or the device is lost.
     pub fn picture(&mut self, player: &Player, shot: &Shot) -> Result<Image, Error> {
+        self.check_size(shot)?;
         let [width, height] = shot.size;
         let texture = picture_texture(&self.gpu, shot.size);
         self.draw(player, shot, &texture.create_view(&wgpu::TextureViewDescriptor::default()))?;
