@@ -76,7 +76,7 @@ fn smoke_has_a_surface_at_every_frame() {
     let mut stage = Stage::default();
     stage.objects =
         "[[object]]\nname = \"smoke\"\nkind = \"smoke\"\nshape = { surface = { subdivisions = 16 } }\n\
-                     [object.emitter]\nshape = { point = { center = [0, 0, 0] } }\nrate = 24\n\
+                     [object.emitter]\nshape = { point = { center = [0, 0, 0] } }\nrate = 25\n\
                      velocity = [0, 1, 0]\nradius = 0.5\n"
             .into();
     let [early, late] = [12, 48].map(|frame| solid_of(&stage, Files::default(), frame));
@@ -89,7 +89,7 @@ fn smoke_has_a_surface_at_every_frame() {
     let mut player = stage.play(&engine, Files::default()).unwrap();
     engine.seek(&mut player, 12).unwrap();
     let particles = engine.particles(&player, 0).unwrap();
-    assert_eq!(particles.len(), 12, "24 a second");
+    assert_eq!(particles.len(), 12, "25 a second, half a second long");
     assert!(particles.iter().all(|particle| particle.radius == 0.5 && particle.center[1] >= 0.0));
 }
 
