@@ -97,7 +97,7 @@ impl Player {
             };
             match object.shape.surface() {
                 Some(surface) => {
-                    add_surface(&mut geometry, &scene, object, (surface, &object.style.ink), &matter)
+                    add_surface(&mut geometry, &scene, object, (surface, &object.style.ink), &matter);
                 }
                 None if matter.is_model() => {}
                 None => geometry.add_nothing(),

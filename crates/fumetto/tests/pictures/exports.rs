@@ -73,12 +73,14 @@ fn a_surface_that_comes_back_as_a_model_looks_the_same() {
 
 #[test]
 fn smoke_has_a_surface_at_every_frame() {
-    let mut stage = Stage::default();
-    stage.objects =
-        "[[object]]\nname = \"smoke\"\nkind = \"smoke\"\nshape = { surface = { subdivisions = 16 } }\n\
+    let stage = Stage {
+        objects:
+            "[[object]]\nname = \"smoke\"\nkind = \"smoke\"\nshape = { surface = { subdivisions = 16 } }\n\
                      [object.emitter]\nshape = { point = { center = [0, 0, 0] } }\nrate = 25\n\
                      velocity = [0, 1, 0]\nradius = 0.5\n"
-            .into();
+                .into(),
+        ..Stage::default()
+    };
     let [early, late] = [12, 48].map(|frame| solid_of(&stage, Files::default(), frame));
     assert!(is_watertight(&early) && is_watertight(&late));
     assert!(volume(&early) > 0.0 && volume(&late) > 1.5 * volume(&early));
