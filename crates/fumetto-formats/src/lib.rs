@@ -20,6 +20,7 @@ mod gif;
 mod image;
 mod jpeg;
 mod model;
+mod notes;
 mod particles;
 mod png;
 mod sequence;
