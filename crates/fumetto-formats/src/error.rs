@@ -126,7 +126,7 @@ pub enum FormatError {
         file: String,
     },
     /// The name's extension belongs to no format that volumes are read from.
-    #[error("{file}: volumes are read from `.vdb` files; convert this one to OpenVDB")]
+    #[error("{file}: volumes are read from `.vdb`, `.nrrd` and `.npy` files; convert this one to OpenVDB")]
     UnknownVolume {
         /// The file's name as it was given.
         file: String,

@@ -8,7 +8,7 @@
 //! |---|---|
 //! | particles: [`read_particles`] (PLY, CSV) | particles: [`write_particles_ply`], [`write_particles_csv`] |
 //! | models: [`read_model`] (glTF, OBJ) | triangles: [`write_glb`], [`write_obj`], [`write_solids_ply`] |
-//! | volumes: [`read_volume`] (OpenVDB) | volumes: [`write_vdb`] |
+//! | volumes: [`read_volume`] (OpenVDB, NRRD, npy) | volumes: [`write_vdb`] |
 //! | pictures: [`read_png`] | pictures: [`write_png`], [`write_png_bands`] |
 //! | | animations: [`GifWriter`] |
 //!

@@ -120,7 +120,10 @@ fn what_is_no_openvdb_file_is_told_so() {
     assert_eq!(refusal(b""), message);
     assert_eq!(refusal(b"ply\nformat ascii 1.0"), message);
     let name = read_volume("clouds.bin", &small(false), &[]).unwrap_err().to_string();
-    assert_eq!(name, "clouds.bin: volumes are read from `.vdb` files; convert this one to OpenVDB");
+    assert_eq!(
+        name,
+        "clouds.bin: volumes are read from `.vdb`, `.nrrd` and `.npy` files; convert this one to OpenVDB"
+    );
 }
 
 #[test]
@@ -158,6 +161,17 @@ fn a_parent_that_is_not_there_is_missed() {
     bytes[at] = b'D';
     let expected = "a.vdb: grid `heat`: the grid whose voxels it shares is not there; export the file again";
     assert_eq!(refusal(&bytes), expected);
+}
+
+#[test]
+fn what_is_not_known_cannot_be_left_aside_in_a_file_without_places() {
+    let mut bytes = fixture("stream");
+    let at = find(&bytes, b"Tree_float_5_4_3");
+    bytes[at + 15] = b'2';
+    assert!(
+        refusal(&bytes)
+            .starts_with("a.vdb: grid `density`: its type is `Tree_float_5_4_2`, which is not read")
+    );
 }
 
 #[test]

@@ -158,7 +158,7 @@ fn check_ball(grid: &Grid, center: [i32; 3], expected: impl Fn([i32; 3]) -> [f32
 
 #[test]
 fn every_codec_gives_the_numbers_that_were_written() {
-    let names = "none mask zip zip-mask blosc blosc-mask half-none half-zip half-blosc half-blosc-all stream";
+    let names = "none mask zip zip-mask blosc blosc-mask half-none half-zip half-blosc half-blosc-all half-grid stream";
     for name in names.split(' ') {
         check_ball(&read(name).grids[0], [12, 9, 10], |index| [formula(index), 0.0, 0.0]);
     }

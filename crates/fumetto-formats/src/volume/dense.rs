@@ -17,8 +17,20 @@ impl Voxels {
         values: &[f32],
         background: [f32; 3],
     ) -> Option<Self> {
+        let strides = Strides::x_first(size, channels)?;
+        Self::from_strided(origin, size, channels, &Strided { values, strides }, background)
+    }
+
+    /// The same of values in any order.
+    pub(super) fn from_strided(
+        origin: [i32; 3],
+        size: [u32; 3],
+        channels: usize,
+        dense: &Strided<'_>,
+        background: [f32; 3],
+    ) -> Option<Self> {
         let count = size.iter().try_fold(channels, |count, &side| count.checked_mul(side as usize))?;
-        if count != values.len() || ![1, 3].contains(&channels) {
+        if count != dense.values.len() || ![1, 3].contains(&channels) {
             return None;
         }
         let mut end = [0; 3];
@@ -35,11 +47,11 @@ impl Voxels {
         if count == 0 {
             return Some(voxels);
         }
-        let dense = Dense { origin, size, end, values };
+        let corners = [origin, end];
         for x in (first[0]..end[0]).step_by(BRICK_SIDE as usize) {
             for y in (first[1]..end[1]).step_by(BRICK_SIDE as usize) {
                 for z in (first[2]..end[2]).step_by(BRICK_SIDE as usize) {
-                    voxels.push_brick_of(&dense, [x, y, z]);
+                    voxels.push_brick_of(dense, corners, [x, y, z]);
                 }
             }
         }
@@ -47,19 +59,25 @@ impl Voxels {
     }
 
     /// Adds the brick at `origin` if any of its voxels differs from the background.
-    fn push_brick_of(&mut self, dense: &Dense<'_>, origin: [i32; 3]) {
+    fn push_brick_of(&mut self, dense: &Strided<'_>, [low, end]: [[i32; 3]; 2], origin: [i32; 3]) {
         let channels = self.channels;
         let start = self.values.len();
         let mut active = [0; 8];
         for voxel in 0..BRICK_VOXELS {
             let [x, y, z] = [voxel & 7, voxel >> 3 & 7, voxel >> 6];
             let index = [origin[0] + x as i32, origin[1] + y as i32, origin[2] + z as i32];
-            let background = &self.background[..channels];
-            let value = dense.at(index, channels).unwrap_or(background);
-            if value != background {
+            let mut value = self.background;
+            if (0..3).all(|axis| (low[axis]..end[axis]).contains(&index[axis])) {
+                let place = [0, 1, 2].map(|axis| index[axis].abs_diff(low[axis]) as usize);
+                value[..channels]
+                    .iter_mut()
+                    .enumerate()
+                    .for_each(|(c, number)| *number = dense.number(place, c));
+            }
+            if value != self.background {
                 active[z] |= 1 << (x + 8 * y);
             }
-            self.values.extend_from_slice(value);
+            self.values.extend_from_slice(&value[..channels]);
         }
         if active == [0; 8] {
             self.values.truncate(start);
@@ -70,23 +88,30 @@ impl Voxels {
 }
 
 /// A box full of numbers.
-struct Dense<'a> {
-    origin: [i32; 3],
-    size: [u32; 3],
-    /// The index behind its last voxel.
-    end: [i32; 3],
-    values: &'a [f32],
+pub(super) struct Strided<'a> {
+    pub(super) values: &'a [f32],
+    pub(super) strides: Strides,
 }
 
-impl Dense<'_> {
-    /// The value at `index`; `None` outside.
-    fn at(&self, index: [i32; 3], channels: usize) -> Option<&[f32]> {
-        if (0..3).any(|axis| index[axis] < self.origin[axis] || index[axis] >= self.end[axis]) {
-            return None;
-        }
-        let [x, y, z] = [0, 1, 2].map(|axis| index[axis].abs_diff(self.origin[axis]) as usize);
-        let [width, height, _] = self.size.map(|side| side as usize);
-        self.values.get(channels * (x + width * (y + height * z))..)?.get(..channels)
+/// How far apart numbers are of which one follows the other along an axis.
+pub(super) struct Strides {
+    pub(super) axes: [usize; 3],
+    pub(super) channel: usize,
+}
+
+impl Strides {
+    /// Channels first, then x, then y, then z.
+    pub(super) fn x_first([width, height, _]: [u32; 3], channels: usize) -> Option<Self> {
+        let row = channels.checked_mul(width as usize)?;
+        Some(Self { axes: [channels, row, row.checked_mul(height as usize)?], channel: 1 })
+    }
+}
+
+impl Strided<'_> {
+    /// A number of the voxel at `place` from the box's corner.
+    fn number(&self, place: [usize; 3], channel: usize) -> f32 {
+        let Strides { axes: [x, y, z], channel: between } = self.strides;
+        self.values[place[0] * x + place[1] * y + place[2] * z + channel * between]
     }
 }
 

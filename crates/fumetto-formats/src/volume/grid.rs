@@ -2,6 +2,8 @@
 
 use std::sync::Arc;
 
+use glam::DMat4;
+
 /// Voxels along a side of a [`Brick`].
 pub const BRICK_SIDE: i32 = 8;
 
@@ -86,6 +88,12 @@ pub struct Tile {
     pub value: [f32; 3],
     /// Whether its voxels are active.
     pub active: bool,
+}
+
+/// Whether voxels that are placed by this have a place and a size.
+pub(super) fn has_inverse(world_from_index: &DMat4) -> bool {
+    let affine = world_from_index.row(3).to_array() == [0.0, 0.0, 0.0, 1.0];
+    affine && world_from_index.is_finite() && world_from_index.inverse().is_finite()
 }
 
 impl Voxels {

@@ -1,7 +1,10 @@
 //! Volumes out of files that simulations and other programs write, and back.
 
+mod array;
 mod dense;
 mod grid;
+mod npy;
+mod nrrd;
 mod vdb;
 
 pub use self::grid::{BRICK_SIDE, BRICK_VOXELS, Brick, Grid, GridClass, Tile, Volume, Voxels};
@@ -20,6 +23,10 @@ pub const MAX_VOLUME_NUMBERS: u64 = 1 << 28;
 /// `float`, `half`, `double`, `int32`, `int64`, `bool`, `mask`, `vec3s`, `vec3d` and `vec3i` values become
 /// numbers of single precision. Grids that share their voxels in the file share them in memory.
 ///
+/// `.nrrd`: three axes, or vectors of three on three axes, behind the header as raw bytes, gzip or text.
+/// `.npy`: an array of shape (x, y, z) or (x, y, z, 3). Both hold one grid, whose name is the file's, and
+/// which is read whatever is wanted; zeros are its background.
+///
 /// Memory goes by what is stored, not by how far it is apart. Numbers that are infinite or none become the
 /// grid's background; grids of kinds that cannot be read are left aside if there are others. Notes tell of
 /// both.
@@ -31,6 +38,8 @@ pub fn read_volume(name: &str, bytes: &[u8], wanted: &[&str]) -> Result<Volume, 
     let extension = name.rsplit_once('.').map(|(_, extension)| extension.to_ascii_lowercase());
     match extension.as_deref() {
         Some("vdb") => vdb::read(name, bytes, wanted),
+        Some("nrrd") => nrrd::read(name, bytes),
+        Some("npy") => npy::read(name, bytes),
         _ => Err(FormatError::UnknownVolume { file: name.to_owned() }),
     }
 }

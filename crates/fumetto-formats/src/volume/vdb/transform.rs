@@ -5,6 +5,7 @@ use glam::{DMat4, DVec3};
 use super::Trouble;
 use super::bytes::Bytes;
 use crate::excerpt::excerpt;
+use crate::volume::grid::has_inverse;
 
 /// Reads a map by its name.
 pub(super) fn read(bytes: &mut Bytes<'_>) -> Result<[[f64; 4]; 4], Trouble> {
@@ -38,9 +39,7 @@ pub(super) fn read(bytes: &mut Bytes<'_>) -> Result<[[f64; 4]; 4], Trouble> {
             )));
         }
     };
-    let affine = map.row(3).to_array() == [0.0, 0.0, 0.0, 1.0];
-    let inverse = map.inverse();
-    if !(map.is_finite() && affine && inverse.is_finite()) {
+    if !has_inverse(&map) {
         let problem = "its transform has no inverse, so its voxels have no size; export it again";
         return Err(Trouble::Damaged(problem.to_owned()));
     }

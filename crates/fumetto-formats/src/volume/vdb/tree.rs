@@ -53,12 +53,10 @@ pub(super) fn read(
     let mut topology =
         Topology { values, leaves: Vec::new(), tiles: Vec::new(), allowed, scratch: Vec::new() };
     topology.read_root(bytes)?;
-    let Topology { values, leaves, mut tiles, allowed, .. } = topology;
+    let Topology { mut values, leaves, mut tiles, allowed, .. } = topology;
     tiles.sort_unstable_by_key(|tile| tile.origin);
-    let voxels = read_leaves(bytes, values, &leaves, allowed)?;
-    let mut tree = Tree { voxels: Voxels { tiles, ..voxels }, not_finite: 0 };
-    tree.mend();
-    Ok(tree)
+    let voxels = read_leaves(bytes, &mut values, &leaves, allowed)?;
+    Ok(Tree { voxels: Voxels { tiles, ..voxels }, not_finite: values.not_finite })
 }
 
 /// What is known of a tree before its leaves are read.
@@ -178,7 +176,7 @@ fn root_origin(bytes: &mut Bytes<'_>) -> Result<[i32; 3], Trouble> {
 /// Reads the voxels of the leaves at `origins`.
 fn read_leaves(
     bytes: &mut Bytes<'_>,
-    mut values: Values,
+    values: &mut Values,
     origins: &[[i32; 3]],
     allowed: &mut u64,
 ) -> Result<Voxels, Trouble> {
@@ -206,7 +204,7 @@ fn read_leaves(
     let mut leaf_numbers = Vec::with_capacity(length);
     for place in place_of {
         let active = Mask::read(bytes, BRICK_VOXELS)?;
-        read_leaf(bytes, &mut values, active, &mut leaf_numbers)?;
+        read_leaf(bytes, values, active, &mut leaf_numbers)?;
         let out = &mut numbers[place * length..][..length];
         for (stored, value) in leaf_numbers.chunks_exact(channels).enumerate() {
             // Stored along z, then y, then x.
@@ -239,30 +237,6 @@ fn read_leaf(
 fn spend(allowed: &mut u64, numbers: u64) -> Result<(), Trouble> {
     *allowed = allowed.checked_sub(numbers).ok_or(Trouble::TooLarge)?;
     Ok(())
-}
-
-impl Tree {
-    /// Puts the background where numbers are none or infinite, and zero where the background is.
-    fn mend(&mut self) {
-        let Voxels { channels, background, values, tiles, .. } = &mut self.voxels;
-        let mut mend = |number: &mut f32, instead: f32| {
-            if !number.is_finite() {
-                *number = instead;
-                self.not_finite += 1;
-            }
-        };
-        for number in &mut background[..*channels] {
-            mend(number, 0.0);
-        }
-        for value in values
-            .chunks_exact_mut(*channels)
-            .chain(tiles.iter_mut().map(|tile| &mut tile.value[..*channels]))
-        {
-            for (number, instead) in value.iter_mut().zip(&*background) {
-                mend(number, *instead);
-            }
-        }
-    }
 }
 
 #[cfg(test)]

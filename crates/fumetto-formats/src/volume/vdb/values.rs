@@ -129,7 +129,10 @@ pub(super) struct Values {
     /// The type that arrays are stored as.
     stored: Kind,
     compression: Compression,
+    /// Zero until it is known.
     pub(super) background: [f32; 3],
+    /// How many numbers were none or infinite, and were replaced by the background.
+    pub(super) not_finite: u64,
     /// An array's bytes, and the numbers that they are.
     raw: Vec<u8>,
     numbers: Vec<f32>,
@@ -139,7 +142,15 @@ impl Values {
     pub(super) fn new(entry: &Entry<'_>, compression: Compression) -> Result<Self, Trouble> {
         let kind = Kind::parse(entry.tree_type)?;
         let stored = if entry.half && kind.is_real() { Kind { scalar: Scalar::F16, ..kind } } else { kind };
-        Ok(Self { kind, stored, compression, background: [0.0; 3], raw: Vec::new(), numbers: Vec::new() })
+        Ok(Self {
+            kind,
+            stored,
+            compression,
+            background: [0.0; 3],
+            not_finite: 0,
+            raw: Vec::new(),
+            numbers: Vec::new(),
+        })
     }
 
     /// Reads a value that stands alone: such are never stored as half floats.
@@ -147,6 +158,7 @@ impl Values {
         let raw = bytes.take(self.kind.size())?;
         self.numbers.clear();
         self.kind.scalar.decode(raw, &mut self.numbers);
+        self.mend();
         let mut value = [0.0; 3];
         value[..self.kind.channels].copy_from_slice(&self.numbers);
         Ok(value)
@@ -212,7 +224,20 @@ impl Values {
         self.raw.resize(count * self.stored.size(), 0);
         self.compression.codec.read(bytes, &mut self.raw)?;
         self.stored.scalar.decode(&self.raw, &mut self.numbers);
+        self.mend();
         Ok(())
+    }
+
+    /// Puts the background where numbers are none or infinite.
+    fn mend(&mut self) {
+        for value in self.numbers.chunks_exact_mut(self.kind.channels) {
+            for (number, instead) in value.iter_mut().zip(self.background) {
+                if !number.is_finite() {
+                    *number = instead;
+                    self.not_finite += 1;
+                }
+            }
+        }
     }
 
     /// The value that stands for "minus background".

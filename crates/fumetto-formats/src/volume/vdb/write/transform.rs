@@ -3,12 +3,12 @@
 use glam::{DMat3, DMat4, DVec3};
 
 use super::put_string;
+use crate::volume::grid::has_inverse;
 
 /// Appends the map's name and numbers.
 pub(super) fn put(bytes: &mut Vec<u8>, world_from_index: &[[f64; 4]; 4]) -> Result<(), String> {
     let map = DMat4::from_cols_array_2d(world_from_index);
-    let affine = map.row(3).to_array() == [0.0, 0.0, 0.0, 1.0];
-    if !(affine && map.is_finite() && map.inverse().is_finite()) {
+    if !has_inverse(&map) {
         return Err("its transform has to be affine and to have an inverse".to_owned());
     }
     let axes = DMat3::from_mat4(map);
