@@ -19,7 +19,7 @@ pub const MAX_VOLUME_NUMBERS: u64 = 1 << 28;
 /// Reads the grids called `wanted` from `bytes`, or all grids if none is named; the extension of `name` (any
 /// case) says which format they have.
 ///
-/// `.vdb`: OpenVDB's format in versions 222 to 225, that is since OpenVDB 2, with all its codecs. Grids of
+/// `.vdb`: OpenVDB's format in versions 222 to 225, with all its codecs. Grids of
 /// `float`, `half`, `double`, `int32`, `int64`, `bool`, `mask`, `vec3s`, `vec3d` and `vec3i` values become
 /// numbers of single precision. Grids that share their voxels in the file share them in memory.
 ///

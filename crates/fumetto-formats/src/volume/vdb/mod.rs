@@ -4,8 +4,8 @@
 //! after `io/Archive.cc` (header, table of grids), `io/GridDescriptor.cc` (entries of the table),
 //! `MetaMap.cc` (metadata), `math/Maps.h` (transforms), `tree/RootNode.h`, `InternalNode.h` and `LeafNode*.h`
 //! (topology and voxels) and `io/Compression.h` (codecs, and inactive values that are left out) of
-//! <https://github.com/AcademySoftwareFoundation/openvdb>, versions 10 to 13, which stand for versions 222
-//! to 225 of the file format. All numbers are little-endian.
+//! <https://github.com/AcademySoftwareFoundation/openvdb>, versions 10 (which writes version 224 of the file
+//! format) and 13 (225). All numbers are little-endian.
 //!
 //! ```text
 //! file      magic, versions, offsets or not, UUID │ metadata │ count │ grids …

@@ -1,4 +1,4 @@
-//! OpenVDB files out, in version 224 of the format, which every OpenVDB since 5 reads.
+//! OpenVDB files out, in version 224 of the format, which OpenVDB 10 writes and later ones read.
 
 mod nodes;
 mod pack;
