@@ -378,7 +378,12 @@ fn grids_that_break_their_promises_are_not_written() {
     let plain = VdbOptions::default();
     let half = VdbOptions { half: true, ..plain };
     type Case<'a> = (&'a dyn Fn(&mut Voxels), VdbOptions, &'a str);
-    let cases: [Case<'_>; 8] = [
+    let cases: [Case<'_>; 9] = [
+        (
+            &|v| v.bricks[0].origin = [i32::MAX; 3],
+            plain,
+            "a cube of 8 voxels a side starts at [2147483647, 2147483647, 2147483647], which are no multiples of 8",
+        ),
         (&|v| v.channels = 2, plain, "its values have 2 channels, where 1 or 3 are possible"),
         (&|v| v.values.truncate(9), plain, "it has 9 numbers, where its bricks need 4096"),
         (

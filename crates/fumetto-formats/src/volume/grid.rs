@@ -113,7 +113,7 @@ impl Voxels {
         let in_bricks =
             self.bricks.iter().flat_map(|brick| brick.active).map(|layer| layer.count_ones().into());
         let tiles = self.tiles.iter().filter(|tile| tile.active);
-        in_bricks.chain(tiles.map(|tile| u64::from(tile.side.unsigned_abs()).pow(3))).sum()
+        in_bricks.chain(tiles.map(|tile| u64::from(tile.side.unsigned_abs()).saturating_pow(3))).sum()
     }
 
     /// The least and the greatest index of active voxels along each axis; `None` if none is active.

@@ -13,7 +13,7 @@ use super::archive::{HALF_SUFFIX, MAGIC, NAME_SEPARATOR};
 use super::codec::{ACTIVE_MASK, ZIP};
 use crate::WriteError;
 use crate::excerpt::excerpt;
-use crate::volume::grid::{Grid, GridClass};
+use crate::volume::grid::{Grid, GridClass, Voxels};
 
 const VERSION: u32 = 224;
 
@@ -50,19 +50,17 @@ pub fn write_vdb(grids: &[Grid], options: VdbOptions, mut out: impl Write) -> Re
         put_string(&mut entry, &tree_type(grid, options));
         put_string(&mut entry, &parent.map(|parent| unique_name(grids, parent)).unwrap_or_default());
 
-        let mut body = head(grid, options).map_err(refuse)?;
-        let mut voxels = Vec::new();
-        if parent.is_none() {
-            let nodes = Nodes::of(&grid.voxels).map_err(refuse)?;
-            let mut packer = Packer::new(&grid.voxels, options).map_err(refuse)?;
-            nodes.put_topology(&mut packer, &mut body);
-            nodes.put_voxels(&mut packer, &mut voxels);
-        }
+        // What is broken is refused here, before anything is computed from it.
+        let own =
+            if parent.is_none() { tree(&grid.voxels, options).map_err(refuse)? } else { Default::default() };
+        let [topology, voxels] = own;
+        let head = head(grid, options).map_err(refuse)?;
         let start = written + entry.len() + 3 * size_of::<u64>();
-        for position in [start, start + body.len(), start + body.len() + voxels.len()] {
+        let blocks = start + head.len() + topology.len();
+        for position in [start, blocks, blocks + voxels.len()] {
             entry.extend((position as u64).to_le_bytes());
         }
-        for bytes in [&entry, &body, &voxels] {
+        for bytes in [&entry, &head, &topology, &voxels] {
             out.write_all(bytes)?;
             written += bytes.len();
         }
@@ -133,6 +131,13 @@ fn head(grid: &Grid, options: VdbOptions) -> Result<Vec<u8>, String> {
     }
     transform::put(&mut bytes, &grid.world_from_index)?;
     Ok(bytes)
+}
+
+/// The topology of a tree, and its voxels.
+fn tree(voxels: &Voxels, options: VdbOptions) -> Result<[Vec<u8>; 2], String> {
+    let nodes = Nodes::of(voxels)?;
+    let packer = Packer::new(voxels, options)?;
+    Ok([nodes.topology(&packer), nodes.voxels(&packer)])
 }
 
 fn put_u32(bytes: &mut Vec<u8>, number: u32) {

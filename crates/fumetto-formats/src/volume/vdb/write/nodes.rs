@@ -33,7 +33,9 @@ impl<'a> Nodes<'a> {
         Ok(Self(slots))
     }
 
-    pub(super) fn put_topology(&self, packer: &mut Packer<'_>, bytes: &mut Vec<u8>) {
+    pub(super) fn topology(&self, packer: &Packer<'_>) -> Vec<u8> {
+        let mut topology = Vec::new();
+        let bytes = &mut topology;
         // Each leaf has one buffer.
         put_u32(bytes, 1);
         packer.put_background(bytes);
@@ -54,10 +56,13 @@ impl<'a> Nodes<'a> {
                 put_node(slots, &LEVELS, packer, bytes);
             }
         }
+        topology
     }
 
-    pub(super) fn put_voxels(&self, packer: &mut Packer<'_>, bytes: &mut Vec<u8>) {
-        put_voxels(&self.0, packer, bytes);
+    pub(super) fn voxels(&self, packer: &Packer<'_>) -> Vec<u8> {
+        let mut bytes = Vec::new();
+        put_voxels(&self.0, packer, &mut bytes);
+        bytes
     }
 }
 
@@ -83,7 +88,7 @@ fn insert<'a>(slots: &mut Slots<'a>, origin: [i32; 3], side: i32, slot: Slot<'a>
     if slots.insert(origin, slot).is_some() { overlap() } else { Ok(()) }
 }
 
-fn put_node(slots: &Slots<'_>, levels: &[Level], packer: &mut Packer<'_>, bytes: &mut Vec<u8>) {
+fn put_node(slots: &Slots<'_>, levels: &[Level], packer: &Packer<'_>, bytes: &mut Vec<u8>) {
     let Some((level, below)) = levels.split_first() else { return };
     let mut children = Bits::new(level.places());
     let mut active = Bits::new(level.places());
@@ -110,7 +115,7 @@ fn put_node(slots: &Slots<'_>, levels: &[Level], packer: &mut Packer<'_>, bytes:
     }
 }
 
-fn put_voxels(slots: &Slots<'_>, packer: &mut Packer<'_>, bytes: &mut Vec<u8>) {
+fn put_voxels(slots: &Slots<'_>, packer: &Packer<'_>, bytes: &mut Vec<u8>) {
     for slot in slots.values() {
         match slot {
             Slot::Node(slots) => put_voxels(slots, packer, bytes),
