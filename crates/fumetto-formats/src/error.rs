@@ -125,6 +125,35 @@ pub enum FormatError {
         /// The file's name as it was given.
         file: String,
     },
+    /// The name's extension belongs to no format that volumes are read from.
+    #[error("{file}: volumes are read from `.vdb`, `.nrrd` and `.npy` files; convert this one to OpenVDB")]
+    UnknownVolume {
+        /// The file's name as it was given.
+        file: String,
+    },
+    /// None of the grids that are asked for.
+    #[error(
+        "{file}: there is no grid called {wanted} in it, but {found}; export it again with one of these names"
+    )]
+    NoGrids {
+        /// The file's name as it was given.
+        file: String,
+        /// The names that are looked for, quoted, as a list.
+        wanted: String,
+        /// The names that are there, quoted, as a list.
+        found: String,
+    },
+    /// Volumes that would not fit into memory.
+    #[error(
+        "{file}: its grids have more than the {allowed} numbers that are allowed; export it with larger voxels, or \
+         with fewer grids"
+    )]
+    VolumeTooLarge {
+        /// The file's name as it was given.
+        file: String,
+        /// [`MAX_VOLUME_NUMBERS`](crate::MAX_VOLUME_NUMBERS).
+        allowed: u64,
+    },
     /// A picture wider or higher than can be drawn with.
     #[error(
         "{file}: {width} × {height} pixels are more than the {allowed} × {allowed} that are allowed; \
@@ -177,6 +206,14 @@ pub enum WriteError {
         height: u32,
         /// The length of its pixels.
         bytes: usize,
+        /// What is wrong and what to do about it.
+        problem: String,
+    },
+    /// A grid that cannot be stored as it is.
+    #[error("the grid `{grid}` cannot be written: {problem}")]
+    Volume {
+        /// The grid's name.
+        grid: String,
         /// What is wrong and what to do about it.
         problem: String,
     },

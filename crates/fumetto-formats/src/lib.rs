@@ -8,6 +8,7 @@
 //! |---|---|
 //! | particles: [`read_particles`] (PLY, CSV) | particles: [`write_particles_ply`], [`write_particles_csv`] |
 //! | models: [`read_model`] (glTF, OBJ) | triangles: [`write_glb`], [`write_obj`], [`write_solids_ply`] |
+//! | volumes: [`read_volume`] (OpenVDB, NRRD, npy) | volumes: [`write_vdb`] |
 //! | pictures: [`read_png`] | pictures: [`write_png`], [`write_png_bands`] |
 //! | | animations: [`GifWriter`] |
 //!
@@ -20,10 +21,12 @@ mod gif;
 mod image;
 mod jpeg;
 mod model;
+mod notes;
 mod particles;
 mod png;
 mod sequence;
 mod solid;
+mod volume;
 
 pub use error::{FormatError, Position, WriteError};
 pub use gif::{GifWriter, MAX_GIF_FPS, MIN_GIF_FPS};
@@ -39,3 +42,7 @@ pub use particles::{
 pub use png::{MAX_IMAGE_SIDE, read_png, write_png, write_png_bands};
 pub use sequence::{is_sequence, sequence_path};
 pub use solid::{Group, Solid, write_glb, write_mtl, write_obj, write_solids_ply};
+pub use volume::{
+    BRICK_SIDE, BRICK_VOXELS, Brick, Grid, GridClass, MAX_VOLUME_NUMBERS, Tile, VdbOptions, Volume, Voxels,
+    read_volume, write_vdb,
+};

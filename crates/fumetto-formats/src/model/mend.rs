@@ -2,8 +2,8 @@
 
 use glam::{DVec3, Vec2, Vec3, Vec4};
 
-use super::notes::Notes;
 use super::{DEFAULT_SMOOTH_DEGREES, ModelOptions, Part, normals};
+use crate::notes::Notes;
 
 /// A triangle is without area when it is thinner than this share of its longest side: about what single
 /// precision leaves of three points on a line. No picture shows it.

@@ -5,7 +5,6 @@ mod curve;
 mod gltf;
 mod mend;
 mod normals;
-mod notes;
 mod obj;
 mod rig;
 mod textures;

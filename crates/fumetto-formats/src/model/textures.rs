@@ -3,9 +3,9 @@
 use rustc_hash::FxHashMap;
 
 use super::companions::{Companions, Location};
-use super::notes::Notes;
 use crate::excerpt::excerpt_path;
 use crate::jpeg::read_jpeg;
+use crate::notes::Notes;
 use crate::{FormatError, Image, MAX_IMAGE_SIDE, read_png};
 
 /// Most pixels that a model's textures may have together: eight of 4096 × 4096. They take 512 MB.

@@ -12,8 +12,8 @@ use super::document::{Document, label};
 use super::scene::Visit;
 use crate::FormatError;
 use crate::model::curve::{Curve, Interpolation};
-use crate::model::notes::Notes;
 use crate::model::rig::{Node, Pose, Property, Track};
+use crate::notes::Notes;
 
 /// What moves the visited nodes, in all animations.
 ///

@@ -9,7 +9,7 @@ use super::container::Container;
 use crate::FormatError;
 use crate::excerpt::{excerpt, excerpt_path, list};
 use crate::model::companions::{Companions, Location};
-use crate::model::notes::Notes;
+use crate::notes::Notes;
 
 /// Extensions that are understood, or that change nothing in what Fumetto draws: it lights things in
 /// its own way.

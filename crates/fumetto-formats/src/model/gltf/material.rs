@@ -9,9 +9,9 @@ use rustc_hash::FxHashMap;
 use super::document::{Document, label};
 use crate::excerpt::excerpt;
 use crate::model::companions::Companions;
-use crate::model::notes::Notes;
 use crate::model::textures::Textures;
 use crate::model::{Material, Texture, Wrap};
+use crate::notes::Notes;
 use crate::{FormatError, Image};
 
 /// Which texture coordinates a material takes, and what becomes of them.

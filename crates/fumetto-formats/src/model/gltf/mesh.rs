@@ -15,9 +15,9 @@ use super::scene::Visit;
 use crate::FormatError;
 use crate::model::companions::Companions;
 use crate::model::mend::{Label, Surface, used};
-use crate::model::notes::Notes;
 use crate::model::rig::Node;
 use crate::model::{MAX_MODEL_TRIANGLES, ModelOptions, Part};
+use crate::notes::Notes;
 
 /// Most places where parts may stand: each is drawn for itself. They take 70 MB.
 const MAX_PLACED: u64 = 1_000_000;

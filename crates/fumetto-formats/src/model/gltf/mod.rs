@@ -18,9 +18,9 @@ mod scene;
 use self::document::Document;
 use self::material::Materials;
 use super::companions::Companions;
-use super::notes::Notes;
 use super::{Model, ModelOptions};
 use crate::FormatError;
+use crate::notes::Notes;
 
 /// Reads the default scene of a glTF file, in text or binary: its first bytes tell.
 pub(super) fn read(

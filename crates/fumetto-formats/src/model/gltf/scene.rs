@@ -6,8 +6,8 @@ use gltf_json::Node as Json;
 use super::document::{Document, label};
 use super::instances;
 use crate::FormatError;
-use crate::model::notes::Notes;
 use crate::model::rig::{Node, Pose};
+use crate::notes::Notes;
 
 /// A node of the scene.
 pub(super) struct Visit {

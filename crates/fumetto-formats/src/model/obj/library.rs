@@ -8,9 +8,9 @@ use super::lines::{Statement, linear, numbers, statements};
 use crate::Image;
 use crate::excerpt::excerpt;
 use crate::model::companions::{Companions, Location};
-use crate::model::notes::Notes;
 use crate::model::textures::Textures;
 use crate::model::{Material, Texture, Wrap};
+use crate::notes::Notes;
 
 /// The materials that the libraries define, read into a model as its groups ask for them.
 pub(super) struct Library {

@@ -16,11 +16,11 @@ use self::library::Library;
 use self::statements::Shapes;
 use super::companions::Companions;
 use super::mend::Label;
-use super::notes::Notes;
 use super::rig::Rig;
 use super::{Model, ModelOptions};
 use crate::FormatError;
 use crate::excerpt::excerpt;
+use crate::notes::Notes;
 
 /// Reads the shapes of an OBJ file, and its materials.
 pub(super) fn read(

@@ -8,7 +8,7 @@ use super::lines::{Statement, linear, numbers, statements};
 use super::polygon::triangulate;
 use crate::excerpt::{excerpt, list};
 use crate::model::MAX_MODEL_TRIANGLES;
-use crate::model::notes::Notes;
+use crate::notes::Notes;
 use crate::{FormatError, Position};
 
 /// Statements that have nothing to say about what is drawn.

@@ -1,10 +1,10 @@
-//! What is told about a model that was read in spite of something.
+//! What is told about a file that was read in spite of something.
 
 /// Most notes about one file: who has so many to read needs no more of them.
 const MAX_NOTES: usize = 50;
 
 /// Sentences about one file.
-pub(super) struct Notes {
+pub(crate) struct Notes {
     file: String,
     said: Vec<String>,
     left_out: usize,
@@ -12,17 +12,17 @@ pub(super) struct Notes {
 
 impl Notes {
     /// None yet about `file`.
-    pub(super) fn new(file: &str) -> Self {
+    pub(crate) fn new(file: &str) -> Self {
         Self { file: file.to_owned(), said: Vec::new(), left_out: 0 }
     }
 
     /// Tells about a part of the file, once.
-    pub(super) fn say(&mut self, element: &str, what: impl AsRef<str>) {
+    pub(crate) fn say(&mut self, element: &str, what: impl AsRef<str>) {
         self.add(format!("{}: {element}: {}", self.file, what.as_ref()));
     }
 
     /// Tells about the whole file, once.
-    pub(super) fn say_of_all(&mut self, what: impl AsRef<str>) {
+    pub(crate) fn say_of_all(&mut self, what: impl AsRef<str>) {
         self.add(format!("{}: {}", self.file, what.as_ref()));
     }
 
@@ -38,7 +38,7 @@ impl Notes {
     }
 
     /// All that was said, and how many more there were.
-    pub(super) fn finish(mut self) -> Vec<String> {
+    pub(crate) fn finish(mut self) -> Vec<String> {
         if self.left_out > 0 {
             self.said.push(format!("{}: and {} more such notes", self.file, self.left_out));
         }
