@@ -98,6 +98,7 @@ const PROGRAMS: &[(&str, &[&str])] = &[
     ),
     ("shapes/surface/dispatch", &["shapes/surface/lattice", "shapes/surface/dispatch"]),
     ("shapes/surface/sort", &["shapes/surface/lattice", "shapes/surface/sort"]),
+    ("shapes/surface/sort_long", &["shapes/surface/lattice", "shapes/surface/sort_long"]),
     (
         "shapes/surface/signs",
         &[
@@ -114,8 +115,9 @@ const PROGRAMS: &[(&str, &[&str])] = &[
         "shapes/surface/cells",
         &[
             "shapes/surface/lattice",
+            "shapes/surface/recipe",
             "shapes/surface/cell",
-            "shapes/surface/neighbours",
+            "shapes/surface/corners",
             "shapes/surface/cells",
         ],
     ),
@@ -131,6 +133,9 @@ const PROGRAMS: &[(&str, &[&str])] = &[
             "shapes/mesh/mesh",
             "shapes/surface/cell",
             "shapes/surface/field",
+            "shapes/surface/near",
+            "shapes/surface/crossing",
+            "shapes/surface/four",
             "shapes/surface/vertices",
         ],
     ),
@@ -141,7 +146,7 @@ const PROGRAMS: &[(&str, &[&str])] = &[
             "shapes/surface/lattice",
             "shapes/mesh/mesh",
             "shapes/surface/cell",
-            "shapes/surface/neighbours",
+            "shapes/surface/corners",
             "shapes/surface/triangles",
         ],
     ),

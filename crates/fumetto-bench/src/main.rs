@@ -6,6 +6,7 @@
 
 mod args;
 mod cloud;
+mod cube;
 mod draw;
 mod edges;
 mod machine;

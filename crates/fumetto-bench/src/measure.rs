@@ -27,6 +27,16 @@ impl Budget {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Samples {
     sorted_ms: Vec<f64>,
+    /// What came of it, where that is told.
+    pub(crate) made: Option<Made>,
+}
+
+/// What came of the work.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Made {
+    pub(crate) triangles: u32,
+    /// Of graphics memory that was kept for it.
+    pub(crate) bytes: u64,
 }
 
 impl Samples {

@@ -5,10 +5,10 @@ mod common;
 
 use common::{load, load_with};
 use fumetto_scene::{
-    Background, Burst, Colour, Curve, Detail, EmitterShape, Exaggerate, Force, Gooch, Highlight, Ink,
-    InkMethod, Light, LightKind, Matter, Mesh, Noise, Particle, Puffs, Ramp, RampImage, RampRows, Resolution,
-    Rim, Scene, SceneText, Shading, Shape, Smoke, Spacing, Style, StyleChoice, Surface, Tone, Transform,
-    Width,
+    Background, Burst, Colour, Curve, Detail, Ease, EmitterShape, Exaggerate, Force, Given, Gooch, Highlight,
+    Ink, InkMethod, Light, LightKind, Matter, Mesh, Metamorphosis, Morph, Noise, Particle, Puffs, Ramp,
+    RampImage, RampRows, Resolution, Rim, Scene, SceneText, Shading, Shape, Smoke, Spacing, Style,
+    StyleChoice, Surface, Tone, Transform, Width,
 };
 
 fn srgb(hex: u32) -> Colour {
@@ -341,13 +341,61 @@ fn two_balls(shape: &str) -> (Surface, Vec<Particle>) {
 }
 
 #[test]
+fn a_cloud_may_become_others() {
+    let scene = good(
+        r#"
+        format = 1
+        camera = { eye = [0, 1, 5], target = [0, 0, 0] }
+        light = [{ kind = "sun", direction = [0, -1, 0] }]
+        [[object]]
+        name = "cloud"
+        kind = "cloud"
+        particles = [{ center = [0, 5, 0], radius = 1 }]
+        [[object.morph]]
+        during = [1, 3]
+        particles = "rabbit.csv"
+        [[object.morph]]
+        during = [3, 4.5]
+        particles = [{ center = [1, 2, 3], radius = 0.5, mass = 2 }]
+        ease = "linear"
+        "#,
+    );
+    let one = |center, radius, mass| Given::Listed(vec![Particle { center, radius, mass }]);
+    let morph = |during_secs, particles, ease| Morph { during_secs, particles, ease };
+    let expected = Metamorphosis {
+        start: one([0.0, 5.0, 0.0], 1.0, 1.0),
+        changes: vec![
+            morph([1.0, 3.0], Given::File("rabbit.csv".into()), Ease::InOut),
+            morph([3.0, 4.5], one([1.0, 2.0, 3.0], 0.5, 2.0), Ease::Linear),
+        ],
+    };
+    assert_eq!(scene.objects[0].matter, Matter::Morph(expected));
+    assert_eq!(scene.objects[0].capacity(0.1), None, "a file tells");
+}
+
+#[test]
+fn a_changing_surfaces_cells_suit_all_its_sets() {
+    let (surface, two) = two_balls("subdivisions = 25");
+    let far = [Particle { center: [20.0, 0.0, 0.0], radius: 2.0, mass: 1.0 }];
+    let plan = surface.plan_morph(&[&two, &far, &[]]);
+    // The wider set is 5 m long, and between both lie 23 m.
+    assert_eq!(plan.spacing, Spacing::Cell(0.2));
+    assert!(plan.room.blocks > surface.plan(&two).room.blocks && plan.room.particles == 3);
+    assert_eq!(surface.plan_morph(&[&[], &[]]).room.particles, 1, "nothing is no reason to fail");
+}
+
+#[test]
 fn every_key_of_a_surface_reaches_it() {
     let resolution = Resolution::Subdivisions(48);
     let plain = Surface { threshold: 0.05, resolution, size: 1.0, noise: None };
     assert_eq!(two_balls("").0, plain);
-    let noise = Noise { amplitude: 2.0, size_m: 0.5, octaves: 3, seed: 1 };
+    let noise = Noise { amplitude: 2.0, size_m: 0.5, octaves: 3, seed: 1, drift_m_per_s: [0.0, 1.5, 0.0] };
     let noisy = Surface { threshold: 0.6, size: 1.5, noise: Some(noise), ..plain };
-    assert_eq!(two_balls("threshold = 0.6, size = 1.5, noise = { amplitude = 2, size = 0.5 }").0, noisy);
+    assert_eq!(
+        two_balls("threshold = 0.6, size = 1.5, noise = { amplitude = 2, size = 0.5, drift = [0, 1.5, 0] }")
+            .0,
+        noisy
+    );
     for (keys, resolution) in [
         ("subdivisions = 22", Resolution::Subdivisions(22)),
         ("cell = 0.1", Resolution::Cell(0.1)),

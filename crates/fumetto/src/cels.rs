@@ -55,7 +55,7 @@ fn is_opaque(object: &Object) -> bool {
             .emitters
             .iter()
             .any(|emitter| emitter.opacity_over_life.points.iter().any(|&[_, opacity]| opacity < 1.0)),
-        Matter::Still(_) | Matter::File(_) | Matter::Mesh(_) => false,
+        Matter::Still(_) | Matter::File(_) | Matter::Morph(_) | Matter::Mesh(_) => false,
     };
     object.opacity >= 1.0 && !fades
 }
@@ -69,6 +69,10 @@ fn anchor(object: &Object) -> Vec3 {
     };
     match &object.matter {
         Matter::Still(particles) => mean(&mut particles.iter().map(|particle| particle.center.into())),
+        Matter::Morph(morph) => {
+            let listed = morph.start.listed().unwrap_or_default();
+            mean(&mut listed.iter().map(|particle| particle.center.into()))
+        }
         Matter::File(_) => Vec3::ZERO,
         Matter::Mesh(mesh) => mean(&mut mesh.copies.iter().map(|copy| copy.position.into())),
         Matter::Smoke(smoke) => mean(&mut smoke.emitters.iter().map(|emitter| match emitter.shape {

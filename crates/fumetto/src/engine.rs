@@ -8,7 +8,11 @@ use crate::{
     particles::Particles,
     player::PlayedMatter,
     proof::atlas_pictures,
-    shapes::{mesh::Place, puffs::Present, surface::Surface},
+    shapes::{
+        mesh::Place,
+        puffs::Present,
+        surface::{Surface, SurfaceSize},
+    },
     tiles::Part,
 };
 
@@ -101,7 +105,7 @@ impl Engine {
         player.read_sequences(&self.gpu, frame)?;
         self.advance(player, u64::from(frame) * u64::from(player.scene().time.substeps));
         player.animate(&self.gpu, frame);
-        self.show(player);
+        self.show(player, frame);
         player.shown = Some(frame);
         Ok(())
     }
@@ -131,7 +135,8 @@ impl Engine {
     }
 
     /// Turns the particles into puffs, puffs into surfaces, and brings models to their places.
-    fn show(&self, player: &mut Player) {
+    fn show(&self, player: &mut Player, shown: u32) {
+        let secs = player.secs(shown);
         let mut frame = Frame::new(&self.gpu, &self.pool, "shapes.present");
         self.place.record(&mut frame, &player.meshes);
         for object in &player.objects {
@@ -144,7 +149,7 @@ impl Engine {
                 }
             }
         }
-        player.surfaces.record(&mut frame, &self.surface, &player.puffs.puffs, &player.meshes);
+        player.surfaces.record(&mut frame, &self.surface, &player.puffs.puffs, (secs, &player.meshes));
         frame.submit();
     }
 
@@ -181,6 +186,14 @@ impl Engine {
     /// When the device is lost.
     pub fn atlas(&self, player: &Player) -> Result<Vec<(&'static str, Image)>, Error> {
         Ok(atlas_pictures(&self.gpu, &player.puffs.atlas)?)
+    }
+
+    /// How large the surfaces are that the moment shows. Waits for the device.
+    ///
+    /// # Errors
+    /// When the device is lost.
+    pub fn surfaces(&self, player: &Player) -> Result<Vec<SurfaceSize>, Error> {
+        Ok(player.surfaces.sizes(&self.gpu, &player.meshes)?)
     }
 
     fn check_size(&self, shot: &Shot) -> Result<(), Error> {

@@ -74,6 +74,11 @@ impl Engine {
         let Some(played) = player.objects.get(object) else { return Ok(Vec::new()) };
         match &played.matter {
             PlayedMatter::Still(particles) | PlayedMatter::Sequence(_, particles) => Ok(particles.clone()),
+            PlayedMatter::Morph(tracks) => {
+                let mut particles = tracks.at(player.secs(player.shown.unwrap_or_default()));
+                particles.retain(|particle| particle.radius > 0.0);
+                Ok(particles)
+            }
             PlayedMatter::Model(_) => Ok(Vec::new()),
             PlayedMatter::Smoke(_) => {
                 let range = player.puffs.objects[object].range.clone();

@@ -4,8 +4,8 @@ use std::{collections::BTreeMap, ops::Range};
 
 use fumetto_formats::{Model, ModelOptions, is_sequence, sequence_path};
 use fumetto_scene::{
-    Ink, InkMethod, Matter, Mesh, Object, Particle, Puffs, Ramp, RampImage, Scene, Shape, Style, Surface,
-    SurfacePlan,
+    Given, Ink, InkMethod, Matter, Mesh, Object, Particle, Puffs, Ramp, RampImage, Scene, Shape, Style,
+    Surface, SurfacePlan,
 };
 
 use crate::{
@@ -13,12 +13,13 @@ use crate::{
     assets::{load_image, load_model, load_particles},
     details::{Details, Layer},
     gpu::Gpu,
+    morph::Tracks,
     object::ObjectStyle,
     particles::Emission,
     shapes::{
         mesh::{Geometry, MeshScene, Shells, candidates},
         puffs::{Atlas, Placement, PuffObject, PuffScene, still_puffs},
-        surface::{SurfaceObject, SurfaceScene},
+        surface::{SurfaceObject, SurfaceScene, peak_of_nothing},
     },
     tone::{Backdrop, Ramps},
 };
@@ -57,6 +58,8 @@ pub(crate) enum PlayedMatter {
     Still(Vec<Particle>),
     /// A numbered sequence of particle files, and the particles of the frame that is shown.
     Sequence(String, Vec<Particle>),
+    /// Particles that become others.
+    Morph(Box<Tracks>),
     Smoke(Vec<Emission>),
     Model(Box<PlayedModel>),
 }
@@ -72,6 +75,7 @@ impl PlayedMatter {
     fn count(&self) -> u64 {
         match self {
             Self::Still(particles) | Self::Sequence(_, particles) => particles.len() as u64,
+            Self::Morph(tracks) => tracks.slots() as u64,
             Self::Smoke(emissions) => emissions.iter().map(|emission| u64::from(emission.capacity())).sum(),
             Self::Model(_) => 0,
         }
@@ -95,6 +99,7 @@ impl Player {
                 Matter::Mesh(mesh) => play_mesh(mesh, &object.style, &*assets, &mut geometry, &mut notes)?,
                 _ => play_matter(gpu, &scene, object, index, &*assets, first_frame, &mut notes)?,
             };
+            notes.extend(note_on_nothing(object, &matter));
             match object.shape.surface() {
                 Some(surface) => {
                     add_surface(&mut geometry, &scene, object, (surface, &object.style.ink), &matter);
@@ -183,7 +188,10 @@ impl Player {
     pub(crate) fn emissions(&self) -> impl Iterator<Item = &Emission> {
         self.objects.iter().flat_map(|object| match &object.matter {
             PlayedMatter::Smoke(emissions) => emissions.as_slice(),
-            PlayedMatter::Still(_) | PlayedMatter::Sequence(..) | PlayedMatter::Model(_) => &[],
+            PlayedMatter::Still(_)
+            | PlayedMatter::Sequence(..)
+            | PlayedMatter::Morph(_)
+            | PlayedMatter::Model(_) => &[],
         })
     }
 
@@ -191,9 +199,10 @@ impl Player {
     /// of a scene in which nothing moves.
     #[must_use]
     pub fn drawing(&self, frame: u32) -> u32 {
+        let drifts = |object: &Object| object.shape.surface().is_some_and(Surface::drifts);
         let stands = |object: &PlayedObject| match &object.matter {
-            PlayedMatter::Still(_) => true,
-            PlayedMatter::Sequence(..) | PlayedMatter::Smoke(_) => false,
+            PlayedMatter::Still(_) => !drifts(&self.scene.objects[object.placement.object as usize]),
+            PlayedMatter::Sequence(..) | PlayedMatter::Morph(_) | PlayedMatter::Smoke(_) => false,
             PlayedMatter::Model(played) => !played.model.is_animated(),
         };
         if self.objects.iter().all(stands) { 0 } else { self.held(frame) }
@@ -220,13 +229,13 @@ impl Player {
             self.surfaces = surfaces(gpu, &self.scene, &self.details, &self.objects)?;
             self.upload_still(gpu);
         }
-        self.upload_sequences(gpu);
+        self.upload_moving(gpu, frame);
         Ok(())
     }
 
     /// Moves the parts of animated models to where they are at `frame`.
     pub(crate) fn animate(&mut self, gpu: &Gpu, frame: u32) {
-        let time_secs = frame as f32 / self.scene.time.fps;
+        let time_secs = self.secs(frame);
         for object in &self.objects {
             if let PlayedMatter::Model(played) = &object.matter
                 && played.model.is_animated()
@@ -246,12 +255,19 @@ impl Player {
         }
     }
 
-    fn upload_sequences(&self, gpu: &Gpu) {
+    fn upload_moving(&self, gpu: &Gpu, frame: u32) {
         for object in &self.objects {
-            if let PlayedMatter::Sequence(_, particles) = &object.matter {
-                self.upload(gpu, object, particles);
+            match &object.matter {
+                PlayedMatter::Sequence(_, particles) => self.upload(gpu, object, particles),
+                PlayedMatter::Morph(tracks) => self.upload(gpu, object, &tracks.at(self.secs(frame))),
+                PlayedMatter::Still(_) | PlayedMatter::Smoke(_) | PlayedMatter::Model(_) => {}
             }
         }
+    }
+
+    /// The moment of a frame.
+    pub(crate) fn secs(&self, frame: u32) -> f32 {
+        frame as f32 / self.scene.time.fps
     }
 
     fn upload(&self, gpu: &Gpu, object: &PlayedObject, particles: &[Particle]) {
@@ -336,6 +352,20 @@ fn play_matter(
                 PlayedMatter::Still(table.particles)
             }
         }
+        Matter::Morph(morph) => {
+            let mut sets = Vec::with_capacity(morph.changes.len() + 1);
+            for given in morph.all() {
+                sets.push(match given {
+                    Given::Listed(particles) => particles.clone(),
+                    Given::File(path) => {
+                        let table = load_particles(assets, path)?;
+                        notes.extend(table.notes);
+                        table.particles
+                    }
+                });
+            }
+            PlayedMatter::Morph(Box::new(Tracks::new(morph, sets)))
+        }
         Matter::Smoke(smoke) => {
             let step_secs = scene.time.step_secs();
             let seed = seed_of(scene, index);
@@ -392,12 +422,25 @@ fn add_surface(
 fn plan(scene: &Scene, object: &Object, surface: &Surface, matter: &PlayedMatter) -> Option<SurfacePlan> {
     match (matter, &object.matter) {
         (PlayedMatter::Still(particles), _) => Some(surface.plan(particles)),
+        (PlayedMatter::Morph(tracks), _) => Some(surface.plan_morph(&tracks.sets())),
         (PlayedMatter::Sequence(_, particles), _) => Some(surface.plan_sequence(particles)),
         (PlayedMatter::Smoke(_), Matter::Smoke(smoke)) => {
             Some(surface.plan_smoke(smoke, scene.time.step_secs()))
         }
         _ => None,
     }
+}
+
+/// Says so where a cloud is too thin for its surface.
+fn note_on_nothing(object: &Object, matter: &PlayedMatter) -> Option<String> {
+    let (Some(surface), PlayedMatter::Still(particles)) = (object.shape.surface(), matter) else {
+        return None;
+    };
+    let peak = peak_of_nothing(surface, particles)?;
+    Some(format!(
+        "the surface of `{}` is empty: its particles are at most about {peak} dense, and its `threshold` is {}",
+        object.name, surface.threshold
+    ))
 }
 
 /// All surfaces, of puffs that have their places: those of the objects, then the layers of detail in them.
@@ -417,7 +460,7 @@ fn surfaces(
         let Some(plan) = plan(scene, object, &surface, &played.matter) else { continue };
         let first = played.placement.first;
         let puffs = first..first + played.capacity;
-        let stands = matches!(played.matter, PlayedMatter::Still(_));
+        let stands = matches!(played.matter, PlayedMatter::Still(_)) && !surface.drifts();
         let scales = [surface.size / played.placement.size, mass];
         let surface = SurfaceObject { surface, scales, plan, puffs, stands };
         surface.check(gpu).map_err(|source| Error::Surface { object: object.name.clone(), source })?;

@@ -2,23 +2,39 @@
 
 use std::fmt::Write as _;
 
-use super::Table;
-use crate::number::{growth_exponent, millis, thousands};
+use super::{Row, Table};
+use crate::{
+    measure::Made,
+    number::{growth_exponent, millis, thousands},
+    subsystem::Subsystem,
+};
 
 impl Table {
-    /// Sizes down, variants across; in brackets the growth exponent since the size above.
+    /// Sizes down, variants across; in brackets the growth exponent since the size above. Below, likewise,
+    /// what came of it, where that is told.
     pub(crate) fn markdown(&self) -> String {
+        let Subsystem { name, title, .. } = self.subsystem;
+        let times = self.lined_up((0..self.rows.len()).map(|index| self.line(index)));
+        let text = format!("**{name}**: {title}; milliseconds, in brackets growth\n\n{times}");
+        if self.rows.iter().flat_map(|row| &row.samples).all(|samples| samples.made.is_none()) {
+            return text;
+        }
+        let made = self.lined_up(self.rows.iter().map(made_line));
+        format!("{text}\n**{name}**: thousands of triangles, and megabytes kept for them\n\n{made}")
+    }
+
+    /// A header, a rule, and `lines`.
+    fn lined_up(&self, lines: impl Iterator<Item = Vec<String>>) -> String {
         let header = [self.subsystem.counted].into_iter().chain(self.variants.iter().copied());
-        let mut lines: Vec<Vec<String>> = vec![header.map(str::to_owned).collect()];
-        lines.extend((0..self.rows.len()).map(|index| self.line(index)));
+        let mut lines: Vec<Vec<String>> =
+            [header.map(str::to_owned).collect()].into_iter().chain(lines).collect();
         let widths: Vec<_> = (0..lines[0].len())
             .map(|column| lines.iter().map(|line| line[column].len()).max().unwrap_or(0))
             .collect();
         let rule = widths.iter().map(|width| format!("{}:", "-".repeat(width - 1))).collect();
         lines.insert(1, rule);
 
-        let title = self.subsystem.title;
-        let mut text = format!("**{}**: {title}; milliseconds, in brackets growth\n\n", self.subsystem.name);
+        let mut text = String::new();
         for line in lines {
             for (cell, width) in line.iter().zip(&widths) {
                 // Writing to a string cannot fail.
@@ -44,9 +60,27 @@ impl Table {
     }
 }
 
+fn made_line(row: &Row) -> Vec<String> {
+    let cells = row.samples.iter().map(|samples| {
+        let told = |made: Made| {
+            format!("{}, {}", millis(f64::from(made.triangles) / 1e3), millis(made.bytes as f64 / 1e6))
+        };
+        samples.made.map_or_else(String::new, told)
+    });
+    [thousands(row.size)].into_iter().chain(cells).collect()
+}
+
 #[cfg(test)]
 mod tests {
-    use crate::report::tests::report;
+    use crate::{measure::Made, report::tests::report};
+
+    #[test]
+    fn what_came_of_it_has_a_table_of_its_own() {
+        let mut report = report();
+        report.tables[0].rows[1].samples[0].made = Some(Made { triangles: 81_234, bytes: 2_000_000 });
+        let text = report.tables[0].markdown();
+        assert!(text.ends_with("| 10,000 | 81.2, 2.00 |          |\n"), "{text}");
+    }
 
     #[test]
     fn a_table_shows_medians_and_growth() {

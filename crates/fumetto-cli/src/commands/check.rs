@@ -59,6 +59,11 @@ fn check_files(opened: &Opened) -> Vec<String> {
                     note(format!("the particles of `{}`", object.name), result);
                 }
             }
+            Matter::Morph(morph) => {
+                for path in morph.all().filter_map(fumetto_scene::Given::file) {
+                    note(format!("the particles of `{}`", object.name), check_one(folder, path));
+                }
+            }
             Matter::Mesh(mesh) => {
                 note(format!("the model of `{}`", object.name), check_model(folder, mesh));
             }

@@ -7,6 +7,7 @@
 mod at;
 mod ink;
 mod mesh;
+mod morph;
 mod object;
 mod ramp;
 mod scene;

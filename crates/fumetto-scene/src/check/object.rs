@@ -1,12 +1,13 @@
 use super::{
     At, Styles,
     mesh::mesh,
+    morph::{given, metamorphosis},
     shape::{details, shape},
     smoke::smoke,
 };
-use crate::file::{ObjectFile, ObjectKind, ParticlesFile};
+use crate::file::{ObjectFile, ObjectKind};
 use crate::limits::{MAX_PARTICLES, PARTICLE_BYTES};
-use crate::{Matter, Object, Particle, Style};
+use crate::{Given, Matter, Object, Style};
 
 /// A step of the simulation takes `step_secs`.
 pub(super) fn object(
@@ -49,8 +50,9 @@ pub(super) fn object(
 }
 
 /// Keys that only some kinds have, with those kinds.
-const KEYS: [(&str, &[ObjectKind]); 8] = [
+const KEYS: [(&str, &[ObjectKind]); 9] = [
     ("particles", &[ObjectKind::Cloud]),
+    ("morph", &[ObjectKind::Cloud]),
     ("emitter", &[ObjectKind::Smoke]),
     ("force", &[ObjectKind::Smoke]),
     ("shape", &[ObjectKind::Cloud, ObjectKind::Smoke]),
@@ -85,31 +87,11 @@ fn kind_name(kind: ObjectKind) -> &'static str {
 }
 
 fn cloud(at: &At<'_>, file: &ObjectFile) -> Matter {
-    match &file.particles {
-        None => {
-            let message = format!("the cloud {:?} has no particles", file.name);
-            at.key("particles").error("no-particles", message, PARTICLES_HELP);
-            Matter::Still(Vec::new())
-        }
-        Some(ParticlesFile::List(list)) => {
-            if list.is_empty() {
-                let message = format!("the cloud {:?} has no particles", file.name);
-                at.key("particles").warning("no-particles", message, PARTICLES_HELP);
-            }
-            let particle =
-                |p: &crate::file::ParticleFile| Particle { center: p.center, radius: p.radius, mass: p.mass };
-            Matter::Still(list.iter().map(particle).collect())
-        }
-        Some(ParticlesFile::Path(path)) => {
-            let lower = path.to_lowercase();
-            if !(lower.ends_with(".ply") || lower.ends_with(".csv")) {
-                let message = format!("{path:?} is neither a .ply nor a .csv file");
-                at.key("particles").error("unknown-format", message, "save the particles as PLY or CSV");
-            }
-            Matter::File(path.clone())
-        }
+    let whose = format!("the cloud {:?}", file.name);
+    let given = given(&at.key("particles"), file.particles.as_ref(), &whose);
+    match (&file.morph, given) {
+        (Some(changes), given) if !changes.is_empty() => Matter::Morph(metamorphosis(at, given, changes)),
+        (_, Given::Listed(particles)) => Matter::Still(particles),
+        (_, Given::File(path)) => Matter::File(path),
     }
 }
-
-const PARTICLES_HELP: &str =
-    "write particles = [{ center = [0, 1, 0], radius = 1.0 }], or the path of a .ply or .csv file";

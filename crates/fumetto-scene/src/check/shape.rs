@@ -34,7 +34,13 @@ fn surface(at: &At<'_>, file: &SurfaceFile) -> Surface {
 }
 
 fn noise(file: NoiseFile) -> Noise {
-    Noise { amplitude: file.amplitude, size_m: file.size, octaves: file.octaves, seed: file.seed }
+    Noise {
+        amplitude: file.amplitude,
+        size_m: file.size,
+        octaves: file.octaves,
+        seed: file.seed,
+        drift_m_per_s: file.drift,
+    }
 }
 
 /// The layers of detail in the `shape` of an object whose lines are drawn with `pen`.

@@ -5,6 +5,7 @@
 
 mod ink;
 mod mesh;
+mod morph;
 mod object;
 mod scene;
 mod smoke;
@@ -15,6 +16,7 @@ mod values;
 
 pub use ink::{CreaseFile, HiddenLinesFile, InkFile, InkMethodFile, PenFile, WidthFile};
 pub use mesh::{ScaleFile, TransformFile, UpFile};
+pub use morph::{EaseFile, MorphFile};
 pub use object::{ObjectFile, ObjectKind, ParticleFile, ParticlesFile, PuffsFile, ShapeFile};
 pub use scene::{BackgroundFile, CameraFile, LightFile, OutputFile, SceneFile, TimeFile};
 pub use smoke::{BurstFile, EmitterFile, EmitterShapeFile, ForceFile};

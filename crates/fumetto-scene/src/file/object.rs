@@ -1,7 +1,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{EmitterFile, ForceFile, OneOrMany, StyleFile, SurfaceFile, TransformFile, UpFile};
+use super::{EmitterFile, ForceFile, MorphFile, OneOrMany, StyleFile, SurfaceFile, TransformFile, UpFile};
 use crate::limits;
 
 /// A thing in the scene: matter, its shape, and how it is drawn.
@@ -22,6 +22,8 @@ pub struct ObjectFile {
     /// The particles of a `kind = "cloud"`: listed here, or a .ply or .csv file relative to the scene
     /// file; `####` or `{}` in its name numbers a sequence by frame.
     pub particles: Option<ParticlesFile>,
+    /// What the particles of a `kind = "cloud"` become: tables in the order of time.
+    pub morph: Option<Vec<MorphFile>>,
     /// Where the particles of a `kind = "smoke"` come from: one table, or several `[[object.emitter]]`.
     pub emitter: Option<OneOrMany<EmitterFile>>,
     /// What moves the particles of a `kind = "smoke"`.

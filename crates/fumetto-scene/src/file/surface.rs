@@ -88,7 +88,7 @@ impl Default for DetailFile {
     }
 }
 
-/// Noise that is added to the density, fixed in the world.
+/// Noise that is added to the density, fixed in the world unless it drifts.
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq, Serialize)]
 #[serde(deny_unknown_fields)]
 pub struct NoiseFile {
@@ -105,6 +105,10 @@ pub struct NoiseFile {
     /// What it is made from. Default 1.
     #[serde(default = "seed")]
     pub seed: u32,
+    /// How fast it travels, in m/s: as fast as smoke rises, and its bumps rise along. Default `[0, 0, 0]`.
+    #[serde(default)]
+    #[schemars(transform = &limits::SPEED)]
+    pub drift: [f32; 3],
 }
 
 fn octaves() -> u32 {

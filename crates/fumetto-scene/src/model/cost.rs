@@ -56,6 +56,11 @@ impl Object {
     pub fn capacity(&self, step_secs: f64) -> Option<u64> {
         match &self.matter {
             Matter::Still(particles) => Some(particles.len() as u64),
+            // Those that come and those that go are there together.
+            Matter::Morph(morph) => {
+                let counts = morph.all().map(|given| given.listed().map(|particles| particles.len() as u64));
+                counts.sum()
+            }
             Matter::File(_) => None,
             Matter::Mesh(_) => Some(0),
             Matter::Smoke(smoke) => {
@@ -71,6 +76,10 @@ impl Object {
         match &self.matter {
             Matter::Still(particles) => Some(surface.plan(particles).room),
             Matter::Smoke(smoke) => Some(surface.plan_smoke(smoke, step_secs).room),
+            Matter::Morph(morph) => {
+                let sets: Option<Vec<_>> = morph.all().map(crate::Given::listed).collect();
+                sets.map(|sets| surface.plan_morph(&sets).room)
+            }
             Matter::File(_) | Matter::Mesh(_) => None,
         }
     }

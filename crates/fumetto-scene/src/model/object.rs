@@ -1,4 +1,4 @@
-use crate::{Detail, Mesh, Particle, Shape, Smoke, Style};
+use crate::{Detail, Mesh, Metamorphosis, Particle, Shape, Smoke, Style};
 
 /// A thing in the scene: matter, its shape, and how it is drawn.
 #[derive(Clone, Debug, PartialEq)]
@@ -26,6 +26,8 @@ pub enum Matter {
     Still(Vec<Particle>),
     /// Particles in a PLY or CSV file; `####` or `{}` in the path numbers a sequence by frame.
     File(String),
+    /// Particles that become others.
+    Morph(Metamorphosis),
     /// Particles that emitters make and forces move.
     Smoke(Smoke),
     /// Triangles of a model.

@@ -13,6 +13,14 @@ pub struct Surface {
     pub noise: Option<Noise>,
 }
 
+impl Surface {
+    /// Whether it changes even where its particles do not.
+    #[must_use]
+    pub fn drifts(&self) -> bool {
+        self.noise.is_some_and(|noise| noise.amplitude > 0.0 && noise.drift_m_per_s != [0.0; 3])
+    }
+}
+
 /// A surface inside another, made of the same particles, of which only lines are drawn (Álvarez et al. 2007,
 /// section 5).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,7 +44,7 @@ pub enum Resolution {
     PerRadius(f32),
 }
 
-/// Noise that is added to the density, fixed in the world.
+/// Noise that is added to the density.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Noise {
     /// The most that it adds, in thresholds.
@@ -47,4 +55,6 @@ pub struct Noise {
     pub octaves: u32,
     /// What it is made from.
     pub seed: u32,
+    /// How fast it travels.
+    pub drift_m_per_s: [f32; 3],
 }

@@ -78,6 +78,23 @@ impl Surface {
         self.plan_moving(particles.len() as u64, self.mean_m(particles), largest_m)
     }
 
+    /// For particles that become those of the next of `sets`, and so on.
+    ///
+    /// Cells stay as they are all the while: those of the set that wants the largest.
+    #[must_use]
+    pub fn plan_morph(&self, sets: &[&[Particle]]) -> SurfacePlan {
+        let cells_m = sets.iter().filter(|set| !set.is_empty()).map(|set| match self.plan(set).spacing {
+            Spacing::Cell(cell_m) => cell_m,
+            Spacing::Subdivisions(_) => 0.0,
+        });
+        let cell_m = cells_m.reduce(f32::max).unwrap_or(1.0);
+        // Between two sets particles are between two places, and as large as one of two.
+        let all: Vec<Particle> = sets.concat();
+        let cells = (self.longest_m(&all) / cell_m).ceil() as u32;
+        let radii = all.iter().map(|particle| (1, particle.radius * self.size / cell_m));
+        SurfacePlan { spacing: Spacing::Cell(cell_m), room: SurfaceRoom::of(radii, cells) }
+    }
+
     /// For the most particles that `smoke` has at once, simulated in steps of `step_secs`.
     #[must_use]
     pub fn plan_smoke(&self, smoke: &Smoke, step_secs: f64) -> SurfacePlan {
@@ -185,8 +202,8 @@ impl SurfaceRoom {
             // Tally, start, state, whether crossed, slot; a run for each 32.
             ("blocks of cells", u64::from(self.blocks), 21),
             ("particles on blocks' lists", u64::from(self.entries), 4),
-            // A word for each point; number, signs, counts and starts.
-            ("blocks that the surface crosses", u64::from(self.active), 4 * POINTS + 28),
+            // What is crossed, signs, number, counts and starts.
+            ("blocks that the surface crosses", u64::from(self.active), 92),
             ("vertices", u64::from(self.vertices), 16),
             ("triangles", u64::from(self.triangles), 16),
         ]

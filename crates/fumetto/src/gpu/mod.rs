@@ -14,10 +14,8 @@ mod view;
 pub use device::{Gpu, GpuError};
 #[cfg(test)]
 pub(crate) use layout::{assert_twins, layout_test};
-#[cfg(test)]
-pub(crate) use readback::read_buffer;
-pub(crate) use readback::read_items;
 pub use readback::read_texture;
+pub(crate) use readback::{read_buffer, read_items};
 
 pub(crate) use compact::{Compact, DrawList, Listing};
 pub(crate) use device::{folded, linear_sampler, workgroups};

@@ -46,7 +46,8 @@ pub fn read_texture(gpu: &Gpu, texture: &wgpu::Texture) -> Result<Vec<u8>, GpuEr
 }
 
 /// Reads a whole buffer back; it must allow `COPY_SRC`.
-#[cfg(test)]
+///
+/// For export and measurement only: it waits for the device.
 pub(crate) fn read_buffer<T: bytemuck::Pod>(gpu: &Gpu, buffer: &wgpu::Buffer) -> Result<Vec<T>, GpuError> {
     read_items(gpu, buffer, 0..(buffer.size() / size_of::<T>() as u64) as u32)
 }

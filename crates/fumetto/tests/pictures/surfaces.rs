@@ -259,3 +259,64 @@ fn what_the_device_cannot_hold_is_refused_by_name() {
     let message = stage.play(&engine, Files::default()).err().unwrap().to_string();
     assert!(message.contains("`huge`") && message.contains("triangles"), "{message}");
 }
+
+#[test]
+fn a_threshold_that_leaves_nothing_is_told_with_the_most_that_there_is() {
+    let engine = engine();
+    let ball = [[0.0, 0.0, 0.0, 1.0]];
+    let notes = |keys: &str| {
+        let player =
+            Stage::default().surface("thin", &ball, keys, "").play(&engine, Files::default()).unwrap();
+        player.notes().to_vec()
+    };
+    let told = notes("threshold = 2");
+    assert!(told.len() == 1 && told[0].contains("`thin`") && told[0].contains("about 1 dense"), "{told:?}");
+    assert!(notes("threshold = 0.5").is_empty());
+}
+
+/// A ball at the left that becomes two at the right, from second 1 to second 2 at 10 frames a second.
+fn split(shape: &str) -> Stage {
+    let objects = format!(
+        "[[object]]\nname = \"cloud\"\nkind = \"cloud\"\n{shape}\n\
+         particles = [{{ center = [-2, 0, 0], radius = 1.5 }}]\n\
+         [[object.morph]]\nduring = [1, 2]\n\
+         particles = [{{ center = [2, 2, 0], radius = 1.5 }}, {{ center = [2, -2, 0], radius = 1.5 }}]\n"
+    );
+    Stage { time: "fps = 10, frames = [0, 30]".into(), objects, ..Stage::default() }
+}
+
+#[test]
+fn a_cloud_becomes_another_in_its_time() {
+    for shape in ["shape = { surface = {} }", "shape = { puffs = {} }"] {
+        let mut engine = engine();
+        let mut player = split(shape).play(&engine, Files::default()).unwrap();
+        let mut at = |frame| picture_at(&mut engine, &mut player, frame).unwrap();
+        let [first, begun, between, done, last] = [0, 10, 15, 20, 30].map(&mut at);
+        assert!(first == begun && done == last && between != first && between != done, "{shape}");
+        let right = |picture: &Picture| {
+            picture.places().filter(|&(x, y)| x > MIDDLE && picture.rgb(x, y) != BACKGROUND).count()
+        };
+        assert_eq!(right(&first), 0);
+        let share = right(&done) as f32 / first.drawn() as f32;
+        assert!((1.8..2.2).contains(&share), "{shape}: two balls cover {share} times what one does");
+        assert!(done.drawn() as usize == right(&done));
+    }
+}
+
+#[test]
+fn noise_that_drifts_carries_its_bumps_along() {
+    // A wall so wide that only its bumps can move.
+    let wall: Vec<_> = (0..7).map(|index| [0.0, 2.0 * index as f32 - 6.0, 0.0, 2.5]).collect();
+    let still = "noise = { amplitude = 1, size = 1 }";
+    let drifting = "noise = { amplitude = 1, size = 1, drift = [0, 0.5, 0] }";
+    let mut engine = engine();
+    let mut frames = |keys: &str| {
+        let stage = Stage { time: "fps = 10, frames = [0, 30]".into(), ..Stage::default() };
+        let mut player = stage.surface("wall", &wall, keys, "").play(&engine, Files::default()).unwrap();
+        [0, 20].map(|frame| picture_at(&mut engine, &mut player, frame).unwrap())
+    };
+    let [start, later] = frames(still);
+    assert!(start == later);
+    let [start, later] = frames(drifting);
+    assert!(start != later);
+}

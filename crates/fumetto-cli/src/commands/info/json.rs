@@ -38,6 +38,7 @@ fn object_json(object: &Object, load: &Load) -> Value {
     let (kind, emitters, forces, file) = match &object.matter {
         Matter::Still(_) => ("cloud", 0, 0, None),
         Matter::File(path) => ("cloud", 0, 0, Some(path)),
+        Matter::Morph(_) => ("cloud", 0, 0, None),
         Matter::Mesh(mesh) => ("mesh", 0, 0, Some(&mesh.model)),
         Matter::Smoke(smoke) => ("smoke", smoke.emitters.len(), smoke.forces.len(), None),
     };

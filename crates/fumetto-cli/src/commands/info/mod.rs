@@ -9,7 +9,9 @@ use anyhow::Context as _;
 use fumetto::{Assets as _, Tiling};
 use fumetto_formats::{ModelOptions, is_sequence, read_model, read_particles, sequence_path};
 use fumetto_scene::limits::PARTICLE_BYTES;
-use fumetto_scene::{Background, Light, LightKind, Matter, Object, Particle, Scene, Surface, SurfaceRoom};
+use fumetto_scene::{
+    Background, Given, Light, LightKind, Matter, Object, Particle, Scene, Surface, SurfaceRoom,
+};
 
 use crate::args::InfoArgs;
 use crate::console;
@@ -61,6 +63,14 @@ impl Load {
         self.surface.map_or(0, |room| room.bytes().saturating_add(shadows(room)))
     }
 
+    /// Of particles that become those of the next set, and so on.
+    fn of_sets(object: &Object, sets: &[Vec<Particle>]) -> Self {
+        let sets: Vec<&[Particle]> = sets.iter().map(Vec::as_slice).collect();
+        let room = object.shape.surface().map(|surface| surface.plan_morph(&sets).room);
+        let particles = sets.iter().map(|set| set.len() as u64).sum();
+        Self { particles, surface: room, ..Self::default() }
+    }
+
     fn bytes(&self) -> u64 {
         let details =
             self.details.iter().map(SurfaceRoom::bytes).fold(self.surface_bytes(), u64::saturating_add);
@@ -75,6 +85,16 @@ fn loads(scene: &Scene, folder: &SceneFolder) -> anyhow::Result<Vec<Load>> {
         Matter::File(path) => {
             let first = sequence_path(path, scene.time.frames[0]);
             Ok(Load::of_file(object, path, &read_particles(&first, &read(&first)?)?.particles))
+        }
+        Matter::Morph(morph) => {
+            let mut sets = Vec::new();
+            for given in morph.all() {
+                sets.push(match given {
+                    Given::Listed(particles) => particles.clone(),
+                    Given::File(path) => read_particles(path, &read(path)?)?.particles,
+                });
+            }
+            Ok(Load::of_sets(object, &sets))
         }
         Matter::Mesh(mesh) => {
             let options = ModelOptions { smooth_degrees: mesh.smooth_deg };

@@ -78,6 +78,8 @@ fn matter(object: &Object) -> String {
         Matter::Still(_) => "particles in the scene file".to_owned(),
         Matter::File(path) if is_sequence(path) => format!("particles in {path}, by frame"),
         Matter::File(path) => format!("particles in {path}"),
+        Matter::Morph(morph) if morph.changes.len() == 1 => "particles that become others".to_owned(),
+        Matter::Morph(morph) => format!("particles that become others {} times", morph.changes.len()),
         Matter::Mesh(mesh) if mesh.copies.len() == 1 => format!("the model {}", mesh.model),
         Matter::Mesh(mesh) => format!("{} copies of the model {}", mesh.copies.len(), mesh.model),
         Matter::Smoke(smoke) => {

@@ -25,7 +25,7 @@ impl Adjacent {
             &work.lattice,
             &work.states,
             &work.active,
-            &work.cells,
+            &work.crossings,
             &work.polygons,
             &work.triangle_starts,
             adjacent,

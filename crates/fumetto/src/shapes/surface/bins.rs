@@ -3,6 +3,14 @@
 use super::{Job, scan::Scan};
 use crate::gpu::{Frame, Gpu, Slot, folded, kernels, shader};
 
+/// Invocations that keep a device busy.
+const BUSY: u32 = 1 << 17;
+
+/// Invocations that share the blocks around one of `count` particles.
+pub(super) fn sharers(count: u32) -> u32 {
+    (BUSY / count.max(1)).next_power_of_two().clamp(1, 4096)
+}
+
 /// Long-lived kernels.
 #[derive(Debug)]
 pub(super) struct Bins {
@@ -22,8 +30,10 @@ impl Bins {
         let Job { recipe, count, room, work } = job;
         let bindings = [recipe, &work.lattice, &work.blobs, &work.tally, &work.starts, &work.entries]
             .map(wgpu::Buffer::as_entire_binding);
-        frame.compute("shapes.surface.count", &self.count, &bindings, folded(count));
+        // Few particles have many sharers, so this is far from what the numbers hold.
+        let groups = folded((count * sharers(count)).div_ceil(64));
+        frame.compute("shapes.surface.count", &self.count, &bindings, groups);
         scan.record(frame, room.blocks, [&work.tally, &work.runs, &work.starts]);
-        frame.compute("shapes.surface.scatter", &self.scatter, &bindings, folded(count));
+        frame.compute("shapes.surface.scatter", &self.scatter, &bindings, groups);
     }
 }

@@ -1,5 +1,6 @@
-// Notes in every block's list which particles touch it: first counts, then scatters. A workgroup takes one
-// particle, its lanes the blocks.
+// Notes in every block's list which particles touch it: first counts, then scatters. Every particle gets
+// some invocations, which share the blocks around it: a few where there are many particles, many where there
+// are few, which may be large.
 
 @group(0) @binding(0) var<uniform> recipe: Recipe;
 @group(0) @binding(1) var<storage, read> lattice: Lattice;
@@ -39,13 +40,14 @@ fn touched_block(blob: Blob, around: Around, index: u32) -> u32 {
 
 @compute @workgroup_size(64)
 fn count(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: vec3u, @builtin(local_invocation_index) lane: u32) {
-    let item = group.y * groups.x + group.x;
+    let invocation = (group.y * groups.x + group.x) * 64u + lane;
+    let item = invocation / recipe.sharers;
     if item >= recipe.count {
         return;
     }
     let blob = blobs[item];
     let around = around(blob);
-    for (var index = lane; index < block_count(around.blocks); index += 64u) {
+    for (var index = invocation % recipe.sharers; index < block_count(around.blocks); index += recipe.sharers) {
         let block = touched_block(blob, around, index);
         if block != NOWHERE {
             atomicAdd(&tally[block], 1u);
@@ -56,13 +58,14 @@ fn count(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: v
 // Lists are filled from their end, which takes the tallies back to zero for the next frame.
 @compute @workgroup_size(64)
 fn scatter(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: vec3u, @builtin(local_invocation_index) lane: u32) {
-    let item = group.y * groups.x + group.x;
+    let invocation = (group.y * groups.x + group.x) * 64u + lane;
+    let item = invocation / recipe.sharers;
     if item >= recipe.count {
         return;
     }
     let blob = blobs[item];
     let around = around(blob);
-    for (var index = lane; index < block_count(around.blocks); index += 64u) {
+    for (var index = invocation % recipe.sharers; index < block_count(around.blocks); index += recipe.sharers) {
         let block = touched_block(blob, around, index);
         if block != NOWHERE {
             entries[starts[block] + atomicSub(&tally[block], 1u) - 1u] = item;

@@ -10,6 +10,7 @@ pub(super) struct Blocks {
     enlist: wgpu::ComputePipeline,
     dispatch: wgpu::ComputePipeline,
     sort: wgpu::ComputePipeline,
+    sort_long: wgpu::ComputePipeline,
 }
 
 impl Blocks {
@@ -27,11 +28,16 @@ impl Blocks {
         ];
         let [classify, enlist] =
             kernels(gpu, shader!("shapes/surface/blocks"), &slots, ["classify", "enlist"]);
-        let [dispatch] =
-            kernels(gpu, shader!("shapes/surface/dispatch"), &[Slot::Read, Slot::Write], ["main"]);
-        let slots = [Slot::Read, Slot::Read, Slot::Read, Slot::Write];
+        let [dispatch] = kernels(
+            gpu,
+            shader!("shapes/surface/dispatch"),
+            &[Slot::Read, Slot::Write, Slot::Write],
+            ["main"],
+        );
+        let slots = [Slot::Read, Slot::Read, Slot::Read, Slot::Write, Slot::Write];
         let [sort] = kernels(gpu, shader!("shapes/surface/sort"), &slots, ["main"]);
-        Self { classify, enlist, dispatch, sort }
+        let [sort_long] = kernels(gpu, shader!("shapes/surface/sort_long"), &slots[..4], ["main"]);
+        Self { classify, enlist, dispatch, sort, sort_long }
     }
 
     /// Lists the active blocks in their own order, and sorts the particles on their lists.
@@ -53,10 +59,11 @@ impl Blocks {
         frame.compute("shapes.surface.classify", &self.classify, &bindings, all);
         scan.record(frame, room.blocks, [&work.crossed, &work.runs, &work.slots]);
         frame.compute("shapes.surface.enlist", &self.enlist, &bindings, all);
-        let bindings = [&work.lattice, &work.dispatch].map(wgpu::Buffer::as_entire_binding);
+        let bindings = [&work.lattice, &work.dispatch, &work.long].map(wgpu::Buffer::as_entire_binding);
         frame.compute("shapes.surface.dispatch", &self.dispatch, &bindings, [1, 1, 1]);
-        let bindings =
-            [&work.lattice, &work.starts, &work.active, &work.entries].map(wgpu::Buffer::as_entire_binding);
+        let bindings = [&work.lattice, &work.starts, &work.active, &work.entries, &work.long]
+            .map(wgpu::Buffer::as_entire_binding);
         frame.compute_indirect("shapes.surface.sort", &self.sort, &bindings, &work.dispatch);
+        frame.compute_indirect("shapes.surface.sort_long", &self.sort_long, &bindings[..4], &work.long);
     }
 }

@@ -28,11 +28,13 @@ pub(crate) struct Workspace {
     pub(super) runs: wgpu::Buffer,
     /// Numbers of the active blocks.
     pub(super) active: wgpu::Buffer,
-    /// Workgroups for kernels that run over these.
+    /// Workgroups for kernels that run over these, one for every eight.
     pub(super) dispatch: wgpu::Buffer,
+    /// Workgroups that sort long lists, one for each block where there are any.
+    pub(super) long: wgpu::Buffer,
     pub(super) signs: wgpu::Buffer,
-    /// Words of `cell.wgsl`.
-    pub(super) cells: wgpu::Buffer,
+    /// `Crossed` of `cell.wgsl`.
+    pub(super) crossings: wgpu::Buffer,
     pub(super) vertex_counts: wgpu::Buffer,
     pub(super) vertex_starts: wgpu::Buffer,
     pub(super) triangle_counts: wgpu::Buffer,
@@ -55,7 +57,6 @@ impl Workspace {
         let words = |label, count: u32, each: u64| {
             buffer(gpu, label, u64::from(count) * each * 4, wgpu::BufferUsages::COPY_SRC)
         };
-        let counts = |label| buffer(gpu, label, u64::from(room.active) * 4, wgpu::BufferUsages::COPY_DST);
         Self {
             blobs: words("shapes.surface.blobs", room.particles, 8),
             shares: words("shapes.surface.shares", room.particles.div_ceil(256), 16),
@@ -69,11 +70,12 @@ impl Workspace {
             runs: words("shapes.surface.runs", room.blocks.max(room.active).div_ceil(RUN), 1),
             active: words("shapes.surface.active", room.active, 1),
             dispatch: buffer(gpu, "shapes.surface.dispatch", 12, wgpu::BufferUsages::INDIRECT),
-            signs: words("shapes.surface.signs", room.active, 2),
-            cells: words("shapes.surface.cells", room.active, 64),
-            vertex_counts: counts("shapes.surface.vertex_counts"),
+            long: buffer(gpu, "shapes.surface.long", 12, wgpu::BufferUsages::INDIRECT),
+            signs: words("shapes.surface.signs", room.active, 4),
+            crossings: words("shapes.surface.crossings", room.active, 14),
+            vertex_counts: words("shapes.surface.vertex_counts", room.active, 1),
             vertex_starts: words("shapes.surface.vertex_starts", room.active + 1, 1),
-            triangle_counts: counts("shapes.surface.triangle_counts"),
+            triangle_counts: words("shapes.surface.triangle_counts", room.active, 1),
             triangle_starts: words("shapes.surface.triangle_starts", room.active + 1, 1),
             polygons: gpu.device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
                 label: Some("shapes.surface.polygons"),

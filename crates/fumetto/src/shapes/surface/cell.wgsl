@@ -1,29 +1,75 @@
-// What is known of one cell, in a word: in bits 0..8 which corners are inside, in bits 8..16 how many
-// vertices its block has before the cell's own, from bit 16 on how many triangles.
+// What the surface is in one block, as bits of its 64 points, or of the cells above these.
 //
-// Corner number: bit 0 for x, bit 1 for y, bit 2 for z. Corner 0 is the cell's own point.
-
-fn cell_corners(cell: u32) -> u32 {
-    return cell & 0xffu;
+// Corner number of a cell: bit 0 for x, bit 1 for y, bit 2 for z. Corner 0 is the cell's own point.
+struct Crossed {
+    // Points that are inside.
+    inside: vec2u,
+    // Points from which the surface crosses the edge along x, along y, along z.
+    x: vec2u,
+    y: vec2u,
+    z: vec2u,
+    // The number of triangles in each cell, bit by bit.
+    ones: vec2u,
+    twos: vec2u,
+    fours: vec2u,
 }
 
-fn cell_vertices_before(cell: u32) -> u32 {
-    return (cell >> 8u) & 0xffu;
+fn bits_of(word: vec2u) -> u32 {
+    let bits = countOneBits(word);
+    return bits.x + bits.y;
 }
 
-fn cell_triangles_before(cell: u32) -> u32 {
-    return cell >> 16u;
+fn has(word: vec2u, point: u32) -> u32 {
+    return (select(word.x, word.y, point >= 32u) >> (point & 31u)) & 1u;
 }
 
-// Which of the edges from the cell's own point along x, y and z the surface crosses: one bit each.
-fn own_crossings(corners: u32) -> u32 {
-    let at_ends = ((corners >> 1u) & 3u) | ((corners >> 2u) & 4u);
-    return select(at_ends, ~at_ends & 7u, (corners & 1u) == 1u);
+// Bits of all points before one.
+fn before(point: u32) -> vec2u {
+    let part = (1u << (point & 31u)) - 1u;
+    return select(vec2u(part, 0u), vec2u(0xffffffffu, part), point >= 32u);
+}
+
+// The `index`-th bit that is set, from the lowest.
+fn nth_point(word: vec2u, index: u32) -> u32 {
+    var point = 0u;
+    var left = index;
+    for (var half = 32u; half > 0u; half /= 2u) {
+        let lower = bits_of(word & before(point + half) & ~before(point));
+        let beyond = left >= lower;
+        point += select(0u, half, beyond);
+        left -= select(0u, lower, beyond);
+    }
+    return point;
+}
+
+fn vertices_of(block: Crossed) -> u32 {
+    return bits_of(block.x) + bits_of(block.y) + bits_of(block.z);
+}
+
+fn triangles_of(block: Crossed) -> u32 {
+    return bits_of(block.ones) + 2u * bits_of(block.twos) + 4u * bits_of(block.fours);
+}
+
+// Vertices come by axis, then by point.
+fn vertices_before(block: Crossed, axis: u32, point: u32) -> u32 {
+    let lower = before(point);
+    if axis == 0u {
+        return bits_of(block.x & lower);
+    }
+    if axis == 1u {
+        return bits_of(block.x) + bits_of(block.y & lower);
+    }
+    return bits_of(block.x) + bits_of(block.y) + bits_of(block.z & lower);
+}
+
+fn triangles_before(block: Crossed, cell: u32) -> u32 {
+    let lower = before(cell);
+    return bits_of(block.ones & lower) + 2u * bits_of(block.twos & lower) + 4u * bits_of(block.fours & lower);
 }
 
 // Polygons of one case: three edges a triangle, four bits an edge, and in the last four bits the number of
 // triangles. See `polygons.rs`.
-fn triangles_of(polygons: vec2u) -> u32 {
+fn triangles_in(polygons: vec2u) -> u32 {
     return polygons.y >> 28u;
 }
 

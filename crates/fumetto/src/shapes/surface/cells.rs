@@ -1,7 +1,7 @@
 //! What the surface is in each cell of the active blocks: its case, and how much comes of it.
 
 use super::{Job, scan::Scan};
-use crate::gpu::{Frame, Gpu, Slot, kernels, shader};
+use crate::gpu::{Frame, Gpu, Slot, kernels, shader, workgroups};
 
 /// Long-lived kernels.
 #[derive(Debug)]
@@ -15,7 +15,7 @@ impl Cells {
         let [uniform, read, write] = [Slot::Uniform, Slot::Read, Slot::Write];
         let slots = [uniform, read, read, read, read, read, write];
         let [signs] = kernels(gpu, shader!("shapes/surface/signs"), &slots, ["main"]);
-        let slots = [read, read, read, read, read, write, write, write];
+        let slots = [uniform, read, read, read, read, read, write, write, write];
         let [cells] = kernels(gpu, shader!("shapes/surface/cells"), &slots, ["main"]);
         Self { signs, cells }
     }
@@ -27,22 +27,20 @@ impl Cells {
             [recipe, &work.lattice, &work.blobs, &work.starts, &work.entries, &work.active, &work.signs]
                 .map(wgpu::Buffer::as_entire_binding);
         frame.compute_indirect("shapes.surface.signs", &self.signs, &bindings, &work.dispatch);
-        // Blocks that are not active this time count nothing.
-        frame.encoder.clear_buffer(&work.vertex_counts, 0, None);
-        frame.encoder.clear_buffer(&work.triangle_counts, 0, None);
         let bindings = [
+            recipe,
             &work.lattice,
             &work.states,
             &work.active,
             &work.signs,
             &work.polygons,
-            &work.cells,
+            &work.crossings,
             &work.vertex_counts,
             &work.triangle_counts,
         ]
         .map(wgpu::Buffer::as_entire_binding);
-        frame.compute_indirect("shapes.surface.cells", &self.cells, &bindings, &work.dispatch);
         let active = room.active;
+        frame.compute("shapes.surface.cells", &self.cells, &bindings, workgroups(active));
         scan.record(frame, active, [&work.vertex_counts, &work.runs, &work.vertex_starts]);
         scan.record(frame, active, [&work.triangle_counts, &work.runs, &work.triangle_starts]);
     }

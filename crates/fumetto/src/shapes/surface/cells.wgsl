@@ -1,60 +1,69 @@
-// Sorts cells into the 256 cases of marching cubes, and counts their vertices and triangles.
+// Sorts cells into the 256 cases of marching cubes, and counts their vertices and triangles: one invocation a
+// block, all cells of which it takes at once, as bits.
 
-@group(0) @binding(0) var<storage, read> lattice: Lattice;
-@group(0) @binding(1) var<storage, read> states: array<u32>;
-@group(0) @binding(2) var<storage, read> active_blocks: array<u32>;
-@group(0) @binding(3) var<storage, read> signs: array<vec2u>;
-@group(0) @binding(4) var<storage, read> polygons: array<vec2u>;
-@group(0) @binding(5) var<storage, read_write> cells: array<u32>;
-@group(0) @binding(6) var<storage, read_write> vertex_counts: array<u32>;
-@group(0) @binding(7) var<storage, read_write> triangle_counts: array<u32>;
+@group(0) @binding(0) var<uniform> recipe: Recipe;
+@group(0) @binding(1) var<storage, read> lattice: Lattice;
+@group(0) @binding(2) var<storage, read> states: array<u32>;
+@group(0) @binding(3) var<storage, read> active_blocks: array<u32>;
+// Sixteen bits in each of four words.
+@group(0) @binding(4) var<storage, read> signs: array<vec4u>;
+@group(0) @binding(5) var<storage, read> polygons: array<vec2u>;
+@group(0) @binding(6) var<storage, read_write> crossed: array<Crossed>;
+@group(0) @binding(7) var<storage, read_write> vertex_counts: array<u32>;
+@group(0) @binding(8) var<storage, read_write> triangle_counts: array<u32>;
 
-// Vertices in the lower half, triangles in the upper.
-var<workgroup> counts: array<u32, 64>;
-
-fn is_inside(place: vec3u) -> u32 {
-    let state = neighbours[neighbour_of(place)];
+fn inside_of(state: u32) -> vec2u {
     if state < ACTIVE {
-        return state;
+        return vec2u(select(0u, 0xffffffffu, state == INSIDE));
     }
-    let point = local_number(place & vec3u(3u));
-    return (signs[state - ACTIVE][point / 32u] >> (point % 32u)) & 1u;
+    let sixteens = signs[state - ACTIVE];
+    return sixteens.xz | (sixteens.yw << vec2u(16u));
 }
 
-@compute @workgroup_size(64)
+fn crossed_of(block: u32, slot: u32) -> Crossed {
+    let corners = corners_of(array(
+        inside_of(ACTIVE + slot),
+        inside_of(state_beyond(block, 1u)),
+        inside_of(state_beyond(block, 2u)),
+        inside_of(state_beyond(block, 3u)),
+        inside_of(state_beyond(block, 4u)),
+        inside_of(state_beyond(block, 5u)),
+        inside_of(state_beyond(block, 6u)),
+        inside_of(state_beyond(block, 7u)),
+    ));
+    let words = corners.words;
+    let own = words[0];
+    let any_inside = own | words[1] | words[2] | words[3] | words[4] | words[5] | words[6] | words[7];
+    let all_inside = own & words[1] & words[2] & words[3] & words[4] & words[5] & words[6] & words[7];
+    var result = Crossed(own, own ^ words[1], own ^ words[2], own ^ words[4], vec2u(0u), vec2u(0u), vec2u(0u));
+    var left = any_inside & ~all_inside;
+    while any(left != vec2u(0u)) {
+        let low = left.x != 0u;
+        let cell = select(32u + firstTrailingBit(left.y), firstTrailingBit(left.x), low);
+        let bit = select(vec2u(0u, 1u), vec2u(1u, 0u), low) << vec2u(cell & 31u);
+        left &= ~bit;
+        let triangles = triangles_in(polygons[case_of(corners, cell)]);
+        result.ones |= select(vec2u(0u), bit, (triangles & 1u) != 0u);
+        result.twos |= select(vec2u(0u), bit, (triangles & 2u) != 0u);
+        result.fours |= select(vec2u(0u), bit, (triangles & 4u) != 0u);
+    }
+    return result;
+}
+
+@compute @workgroup_size(256)
 fn main(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: vec3u, @builtin(local_invocation_index) lane: u32) {
-    let slot = group.y * groups.x + group.x;
-    if slot >= lattice.active_blocks {
+    let slot = (group.y * groups.x + group.x) * 256u + lane;
+    if slot >= recipe.active_blocks {
         return;
     }
-    meet_neighbours(active_blocks[slot], lane);
-    workgroupBarrier();
-    var corners = 0u;
-    for (var corner = 0u; corner < 8u; corner++) {
-        let step = (vec3u(corner) >> vec3u(0u, 1u, 2u)) & vec3u(1u);
-        corners |= is_inside(local_place(lane) + step) << corner;
+    var vertices = 0u;
+    var triangles = 0u;
+    if slot < lattice.active_blocks {
+        let own = crossed_of(active_blocks[slot], slot);
+        crossed[slot] = own;
+        vertices = vertices_of(own);
+        triangles = triangles_of(own);
     }
-    let own = countOneBits(own_crossings(corners)) | (triangles_of(polygons[corners]) << 16u);
-    let before = sum_before(lane, own);
-    cells[slot * 64u + lane] = corners | ((before & 0xffu) << 8u) | (before & 0xffff0000u);
-    if lane == 63u {
-        vertex_counts[slot] = (before + own) & 0xffffu;
-        triangle_counts[slot] = (before + own) >> 16u;
-    }
-}
-
-// The sum of what lower lanes have (Hillis & Steele 1986).
-fn sum_before(lane: u32, own: u32) -> u32 {
-    counts[lane] = own;
-    workgroupBarrier();
-    for (var gap = 1u; gap < 64u; gap *= 2u) {
-        var sum = counts[lane];
-        if lane >= gap {
-            sum += counts[lane - gap];
-        }
-        workgroupBarrier();
-        counts[lane] = sum;
-        workgroupBarrier();
-    }
-    return counts[lane] - own;
+    vertex_counts[slot] = vertices;
+    triangle_counts[slot] = triangles;
 }

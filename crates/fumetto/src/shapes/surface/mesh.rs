@@ -34,7 +34,7 @@ impl Meshing {
             work.starts.as_entire_binding(),
             work.entries.as_entire_binding(),
             work.active.as_entire_binding(),
-            work.cells.as_entire_binding(),
+            work.crossings.as_entire_binding(),
             work.vertex_starts.as_entire_binding(),
             mesh.vertices(),
         ];
@@ -44,7 +44,7 @@ impl Meshing {
             work.lattice.as_entire_binding(),
             work.states.as_entire_binding(),
             work.active.as_entire_binding(),
-            work.cells.as_entire_binding(),
+            work.crossings.as_entire_binding(),
             work.polygons.as_entire_binding(),
             work.vertex_starts.as_entire_binding(),
             work.triangle_starts.as_entire_binding(),

@@ -34,16 +34,20 @@ mod bounds;
 mod buffers;
 mod cells;
 mod mesh;
+mod peak;
 mod polygons;
 mod recipe;
 mod refusal;
 mod scan;
 mod scene;
+mod size;
 #[cfg(test)]
 mod tests;
 
+pub(crate) use peak::peak_of_nothing;
 pub(crate) use refusal::{SurfaceTooLarge, shortage};
 pub(crate) use scene::{SurfaceObject, SurfaceScene};
+pub use size::SurfaceSize;
 
 use buffers::Workspace;
 use fumetto_scene::SurfaceRoom;
@@ -79,7 +83,7 @@ impl Surface {
         }
     }
 
-    /// Makes the surface of the recipe's `puffs`; its `room` is within that of `work`.
+    /// Makes the surface of the recipe's `puffs` at the moment `secs`; its `room` is within that of `work`.
     ///
     /// Puffs beyond the room are not looked at.
     fn record(
@@ -88,9 +92,9 @@ impl Surface {
         puffs: &wgpu::Buffer,
         recipe: &Recipe,
         (room, work): (SurfaceRoom, &Workspace),
-        mesh: &Reserved,
+        (secs, mesh): (f32, &Reserved),
     ) {
-        let uniform = frame.uniform("shapes.surface.recipe", &recipe.uniform(room, mesh));
+        let uniform = frame.uniform("shapes.surface.recipe", &recipe.uniform(secs, room, mesh));
         let count = (recipe.puffs.len() as u32).min(room.particles);
         let job = Job { recipe: &uniform, count, room, work };
         self.bounds.record(frame, job, puffs);

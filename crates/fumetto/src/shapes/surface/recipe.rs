@@ -2,6 +2,7 @@ use std::ops::Range;
 
 use fumetto_scene::{Noise, Spacing, Surface, SurfaceRoom};
 
+use super::bins::sharers;
 use crate::shapes::mesh::Reserved;
 
 /// What is made of an object's puffs.
@@ -48,6 +49,8 @@ pub(super) struct RecipeUniform {
     triangles: u32,
     first_vertex: u32,
     first_triangle: u32,
+    sharers: u32,
+    noise_offset_m: [f32; 3],
     pad: u32,
 }
 
@@ -63,16 +66,18 @@ impl Recipe {
         Self { puffs, threshold: surface.threshold, radius_scale, mass_scale, spacing, noise: surface.noise }
     }
 
-    pub(super) fn uniform(&self, room: SurfaceRoom, mesh: &Reserved) -> RecipeUniform {
+    /// Of the moment `secs`.
+    pub(super) fn uniform(&self, secs: f32, room: SurfaceRoom, mesh: &Reserved) -> RecipeUniform {
         let (cell_m, subdivisions) = match self.spacing {
             Spacing::Cell(cell_m) => (kept(cell_m, LEAST, 1.0 / LEAST), 1.0),
             Spacing::Subdivisions(subdivisions) => (0.0, kept(subdivisions, 1.0, MOST_SUBDIVISIONS)),
         };
-        let quiet = Noise { amplitude: 0.0, size_m: 1.0, octaves: 0, seed: 0 };
+        let quiet = Noise { amplitude: 0.0, size_m: 1.0, octaves: 0, seed: 0, drift_m_per_s: [0.0; 3] };
         let noise = self.noise.unwrap_or(quiet);
+        let count = (self.puffs.len() as u32).min(room.particles);
         RecipeUniform {
             first: self.puffs.start,
-            count: (self.puffs.len() as u32).min(room.particles),
+            count,
             radius_scale: self.radius_scale,
             mass_scale: self.mass_scale,
             threshold: self.threshold.max(LEAST),
@@ -90,6 +95,8 @@ impl Recipe {
             triangles: mesh.triangles.len() as u32,
             first_vertex: mesh.vertices.start,
             first_triangle: mesh.triangles.start,
+            sharers: sharers(count),
+            noise_offset_m: noise.drift_m_per_s.map(|m_per_s| m_per_s * secs),
             pad: 0,
         }
     }
@@ -105,5 +112,5 @@ mod tests {
     use super::*;
     use crate::gpu::layout_test;
 
-    layout_test!(lies_as_its_twin: RecipeUniform, "Recipe" of "shapes/surface/bounds" { first, count, radius_scale, mass_scale, threshold, cell_m, subdivisions, part, noise_amplitude, noise_per_m, noise_octaves, noise_seed, blocks, entries, active_blocks, vertices, triangles, first_vertex, first_triangle });
+    layout_test!(lies_as_its_twin: RecipeUniform, "Recipe" of "shapes/surface/bounds" { first, count, radius_scale, mass_scale, threshold, cell_m, subdivisions, part, noise_amplitude, noise_per_m, noise_octaves, noise_seed, blocks, entries, active_blocks, vertices, triangles, first_vertex, first_triangle, sharers, noise_offset_m });
 }

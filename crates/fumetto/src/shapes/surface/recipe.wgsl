@@ -28,4 +28,8 @@ struct Recipe {
     // Where in the lists of all triangles its own begin.
     first_vertex: u32,
     first_triangle: u32,
+    // Invocations that share the blocks around one particle.
+    sharers: u32,
+    // How far noise has travelled.
+    noise_offset_m: vec3f,
 }

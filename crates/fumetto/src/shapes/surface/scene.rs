@@ -2,9 +2,9 @@ use std::ops::Range;
 
 use fumetto_scene::{SurfacePlan, SurfaceRoom};
 
-use super::{Surface, SurfaceTooLarge, Workspace, recipe::Recipe, refusal::check};
+use super::{Surface, SurfaceSize, SurfaceTooLarge, Workspace, recipe::Recipe, refusal::check};
 use crate::{
-    gpu::{Frame, Gpu},
+    gpu::{Frame, Gpu, GpuError},
     shapes::mesh::MeshScene,
 };
 
@@ -58,18 +58,27 @@ impl SurfaceScene {
         Self { work: room.map(|room| Workspace::new(gpu, room)), surfaces: surfaces.collect() }
     }
 
-    /// Makes the surfaces of what `puffs` now are.
+    /// How large each surface is. Waits for the device.
+    ///
+    /// # Errors
+    /// When the device is lost.
+    pub(crate) fn sizes(&self, gpu: &Gpu, meshes: &MeshScene) -> Result<Vec<SurfaceSize>, GpuError> {
+        let both = self.surfaces.iter().zip(&meshes.reserved);
+        both.map(|(surface, mesh)| SurfaceSize::read(gpu, mesh, surface.room)).collect()
+    }
+
+    /// Makes the surfaces of what `puffs` are at the moment `secs`.
     pub(crate) fn record(
         &mut self,
         frame: &mut Frame<'_>,
         extraction: &Surface,
         puffs: &wgpu::Buffer,
-        meshes: &MeshScene,
+        (secs, meshes): (f32, &MeshScene),
     ) {
         let Some(work) = &self.work else { return };
         for (surface, mesh) in self.surfaces.iter_mut().zip(&meshes.reserved) {
             if !(surface.stands && surface.made) {
-                extraction.record(frame, puffs, &surface.recipe, (surface.room, work), mesh);
+                extraction.record(frame, puffs, &surface.recipe, (surface.room, work), (secs, mesh));
                 surface.made = true;
             }
         }

@@ -1,5 +1,8 @@
 // Asks of every point of the active blocks whether it is inside. Only here: all that is decided later
 // about how the surface hangs together is decided by these bits.
+//
+// An invocation asks the sixteen points of a layer: what it reads of a particle serves them all. Four
+// invocations ask a block, a workgroup eight blocks.
 
 @group(0) @binding(0) var<uniform> recipe: Recipe;
 @group(0) @binding(1) var<storage, read> lattice: Lattice;
@@ -7,25 +10,68 @@
 @group(0) @binding(3) var<storage, read> starts: array<u32>;
 @group(0) @binding(4) var<storage, read> entries: array<u32>;
 @group(0) @binding(5) var<storage, read> active_blocks: array<u32>;
-// A bit for each point of a block.
-@group(0) @binding(6) var<storage, read_write> signs: array<vec2u>;
+// A bit for each point of a layer.
+@group(0) @binding(6) var<storage, read_write> signs: array<u32>;
 
-var<workgroup> bits: array<atomic<u32>, 2>;
+// Densities at the points of a layer: x in the vectors, y by row.
+struct Layer {
+    row_0: vec4f,
+    row_1: vec4f,
+    row_2: vec4f,
+    row_3: vec4f,
+}
 
-@compute @workgroup_size(64)
+// Equation 2 for one particle at four points, from squared distances.
+fn density(blob: Blob, squares: vec4f) -> vec4f {
+    let fall = max(1.0 - squares * blob.inverse_square, vec4f(0.0));
+    return blob.mass * fall * fall;
+}
+
+fn layer_at(first: vec3i, list: vec2u) -> Layer {
+    let along_x = vec4f(vec4i(first.x) + vec4i(0, 1, 2, 3)) * lattice.cell_m;
+    let along_y = vec4f(vec4i(first.y) + vec4i(0, 1, 2, 3)) * lattice.cell_m;
+    let z = f32(first.z) * lattice.cell_m;
+    var layer = Layer(vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0));
+    for (var at = list.x; at < list.y; at++) {
+        let blob = blobs[entries[at]];
+        let x = along_x - blob.center.x;
+        let y = along_y - blob.center.y;
+        let across = y * y + (z - blob.center.z) * (z - blob.center.z);
+        let xx = x * x;
+        layer.row_0 += density(blob, xx + across.x);
+        layer.row_1 += density(blob, xx + across.y);
+        layer.row_2 += density(blob, xx + across.z);
+        layer.row_3 += density(blob, xx + across.w);
+    }
+    return layer;
+}
+
+// Bits of the points of a row that begins at `first`.
+fn insides(first: vec3i, densities: vec4f) -> u32 {
+    if recipe.noise_amplitude == 0.0 {
+        return dot(vec4u(densities > vec4f(recipe.threshold)), vec4u(1u, 2u, 4u, 8u));
+    }
+    var bits = 0u;
+    for (var point = 0u; point < 4u; point++) {
+        let place = point_place(first + vec3i(i32(point), 0, 0), lattice.cell_m);
+        let field = field_of(vec4f(vec3f(0.0), densities[point]), place);
+        bits |= select(0u, 1u << point, field.w > 0.0);
+    }
+    return bits;
+}
+
+@compute @workgroup_size(32)
 fn main(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: vec3u, @builtin(local_invocation_index) lane: u32) {
-    let slot = group.y * groups.x + group.x;
+    let slot = (group.y * groups.x + group.x) * 8u + lane / 4u;
     if slot >= lattice.active_blocks {
         return;
     }
     let block = active_blocks[slot];
     let corner = (lattice.first + block_place(lattice.blocks, block)) * BLOCK;
-    let place = point_place(corner + vec3i(local_place(lane)), lattice.cell_m);
-    if field_at(place, vec2u(starts[block], starts[block + 1u])).w > 0.0 {
-        atomicOr(&bits[lane / 32u], 1u << (lane % 32u));
-    }
-    workgroupBarrier();
-    if lane == 0u {
-        signs[slot] = vec2u(atomicLoad(&bits[0]), atomicLoad(&bits[1]));
-    }
+    let first = corner + vec3i(0, 0, i32(lane % 4u));
+    let layer = layer_at(first, vec2u(starts[block], starts[block + 1u]));
+    signs[4u * slot + lane % 4u] = insides(first, layer.row_0)
+        | (insides(first + vec3i(0, 1, 0), layer.row_1) << 4u)
+        | (insides(first + vec3i(0, 2, 0), layer.row_2) << 8u)
+        | (insides(first + vec3i(0, 3, 0), layer.row_3) << 12u);
 }

@@ -25,7 +25,7 @@ fn assert_neighbours(cloud: &[Particle], recipe: &Recipe, room: SurfaceRoom) -> 
     let puffs = super::puffs(&bench.gpu, cloud, super::UNFADED);
     let mut frame = Frame::new(&bench.gpu, &bench.pool, "test");
     let work = Workspace::new(&bench.gpu, room);
-    bench.surface.record(&mut frame, &puffs, recipe, (room, &work), &meshes.reserved[1]);
+    bench.surface.record(&mut frame, &puffs, recipe, (room, &work), (0.0, &meshes.reserved[1]));
     frame.submit();
     assert!(meshes.reserved[0].adjacent.is_none(), "the first throws no shadow");
     let adjacent = meshes.reserved[1].adjacent.as_ref().expect("the second does");
@@ -60,7 +60,7 @@ fn noise_has_every_case_and_every_edge_has_two_triangles() {
     let cloud: Vec<_> = (0..20)
         .map(|i| particle([0.31, 0.17, 0.23].map(|step| (step * i as f32 * 7.3).sin()), 0.6, 2.0))
         .collect();
-    let noise = Some(Noise { amplitude: 4.0, size_m: 0.25, octaves: 3, seed: 1 });
+    let noise = Some(Noise { amplitude: 4.0, size_m: 0.25, octaves: 3, seed: 1, drift_m_per_s: [0.0; 3] });
     assert_eq!(assert_neighbours(&cloud, &Recipe { noise, ..recipe(20, 0.3, 0.08) }, ROOM), 0);
 }
 

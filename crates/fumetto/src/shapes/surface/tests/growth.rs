@@ -38,7 +38,7 @@ fn measure(cloud: &[Particle], cell_m: f32) {
     for _ in 0..RUNS {
         let start = Instant::now();
         let mut frame = Frame::new(&bench.gpu, &bench.pool, "growth");
-        bench.surface.record(&mut frame, &puffs, &recipe, (room, &work), reserved(&mesh));
+        bench.surface.record(&mut frame, &puffs, &recipe, (room, &work), (0.0, reserved(&mesh)));
         frame.submit();
         bench.gpu.wait().expect("the device lives");
         best = best.min(start.elapsed().as_secs_f64() * 1e3);

@@ -107,7 +107,7 @@ fn extract_faded(particles: &[Particle], fade: u32, recipe: &Recipe, room: Surfa
     let mesh = meshes(&bench.gpu, room);
     let puffs = puffs(&bench.gpu, particles, fade);
     let mut frame = Frame::new(&bench.gpu, &bench.pool, "test");
-    bench.surface.record(&mut frame, &puffs, recipe, (room, &work), reserved(&mesh));
+    bench.surface.record(&mut frame, &puffs, recipe, (room, &work), (0.0, reserved(&mesh)));
     frame.submit();
     read(&bench.gpu, &mesh)
 }

@@ -58,7 +58,7 @@ fn agreement(mesh: &Mesh) -> f32 {
 #[test]
 fn normals_of_a_noisy_surface_are_its_own() {
     let cloud = cloud();
-    let noise = Noise { amplitude: 2.0, size_m: 0.5, octaves: 2, seed: 5 };
+    let noise = Noise { amplitude: 2.0, size_m: 0.5, octaves: 2, seed: 5, drift_m_per_s: [0.0; 3] };
     let noisy = Recipe { noise: Some(noise), ..recipe(cloud.len(), THRESHOLD, 0.03) };
     let noisy = extract(&cloud, &noisy, ROOM);
     let smooth = surface(&cloud, THRESHOLD, 0.03);

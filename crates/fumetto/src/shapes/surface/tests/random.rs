@@ -21,7 +21,7 @@ proptest! {
         cell in 0.05_f32..0.4,
         amplitude in prop::option::of(0.1_f32..4.0),
     ) {
-        let noise = amplitude.map(|amplitude| Noise { amplitude, size_m: 1.0 / 3.0, octaves: 3, seed: 1 });
+        let noise = amplitude.map(|amplitude| Noise { amplitude, size_m: 1.0 / 3.0, octaves: 3, seed: 1, drift_m_per_s: [0.0; 3] });
         let mesh = extract(&cloud, &Recipe { noise, ..recipe(cloud.len(), threshold, cell) }, ROOM);
         mesh.assert_closed();
         prop_assert_eq!(mesh.overflow, 0);

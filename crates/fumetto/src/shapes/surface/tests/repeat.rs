@@ -41,7 +41,7 @@ fn lists_are_in_the_particles_order_whatever_order_they_were_filled_in() {
     let mesh = meshes(&bench.gpu, ROOM);
     let mut frame = Frame::new(&bench.gpu, &bench.pool, "test");
     let puffs = puffs(&bench.gpu, &cloud, UNFADED);
-    bench.surface.record(&mut frame, &puffs, &fine(cloud.len()), (ROOM, &work), reserved(&mesh));
+    bench.surface.record(&mut frame, &puffs, &fine(cloud.len()), (ROOM, &work), (0.0, reserved(&mesh)));
     frame.submit();
     let words = |buffer| -> Vec<u32> { read_buffer(&bench.gpu, buffer).expect("the device lives") };
     let [lattice, active] = [words(&work.lattice), words(&work.active)];
