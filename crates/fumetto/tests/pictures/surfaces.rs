@@ -299,7 +299,7 @@ fn a_cloud_becomes_another_in_its_time() {
         assert_eq!(right(&first), 0);
         let share = right(&done) as f32 / first.drawn() as f32;
         assert!((1.8..2.2).contains(&share), "{shape}: two balls cover {share} times what one does");
-        assert!(done.drawn() as usize == right(&done));
+        assert_eq!(done.drawn(), right(&done));
     }
 }
 
