@@ -63,7 +63,7 @@ mod tests {
             .chunks_exact(4)
             .map(|bytes| f32::from_le_bytes(bytes.try_into().unwrap()))
             .collect();
-        let radius = 1.733_396;
+        let radius = 1.733_403;
         let known = [
             [-1.0, -1.0, -1.0, radius],
             [0.638_345, 0.342_087_2, 0.099_400_96, radius],
