@@ -27,7 +27,7 @@ large=(--size 640x360)
 small=(--size 480x270)
 
 # The gallery.
-draw chimney chimney.png "${large[@]}"
+draw chimney chimney.png --frame 144 "${large[@]}"
 draw lamp lamp.png --frame 150 "${large[@]}"
 draw explosion explosion.png --frame 16 "${large[@]}"
 # Layers come beside it: cumulus.normal.png and its kin.
@@ -38,6 +38,7 @@ draw genie genie.png --frame 150 "${large[@]}"
 draw cloud-cel cloud-cel.png "${large[@]}"
 draw smoke-cel smoke-cel.png --frame 180 "${large[@]}"
 draw cloud-transparent cloud-transparent.png "${large[@]}"
+draw rings rings.png --frame 60 "${large[@]}"
 draw chimney chimney.gif --frames 144..191 --size 320x180
 
 # The first scene of README.md, as it stands there, and two ways for its smoke to end.
@@ -67,6 +68,11 @@ draw cumulus clean-0.png --set style.clean.px=0 "${small[@]}"
 low_sun=(--set 'light[0].direction=[1, -0.35, -0.1]')
 draw cumulus shadow-on.png "${low_sun[@]}" "${small[@]}"
 draw cumulus shadow-off.png "${low_sun[@]}" --set style.shadow.on=false "${small[@]}"
+
+# The chimney's smoke with vortices and without.
+for solver in vortex forces; do
+    draw chimney "solver-$solver.png" --frame 96 --set "object.smoke.solver=$solver" "${small[@]}"
+done
 
 draw cloud surface-thin.png --set object.cloud.shape.surface.threshold=0.05 "${small[@]}"
 draw cloud surface-noise.png \

@@ -10,7 +10,46 @@ use naga::valid::{Capabilities, ValidationFlags, Validator};
 /// Every program: its name, then its modules (`src/….wgsl`), what is used before what uses it.
 const PROGRAMS: &[(&str, &[&str])] = &[
     ("gpu/compact", &["gpu/compact"]),
-    ("particles/step", &["gpu/random", "gpu/noise", "particles/state", "particles/air", "particles/step"]),
+    (
+        "particles/step",
+        &[
+            "gpu/random",
+            "gpu/noise",
+            "gpu/basis",
+            "particles/state",
+            "particles/air",
+            "particles/motion",
+            "particles/vortex/tree",
+            "particles/vortex/induced",
+            "particles/step",
+        ],
+    ),
+    (
+        "particles/vortex/rings",
+        &["gpu/random", "gpu/basis", "particles/vortex/vortex", "particles/vortex/rings"],
+    ),
+    (
+        "particles/vortex/order",
+        &["particles/vortex/vortex", "particles/vortex/tree", "particles/vortex/order"],
+    ),
+    ("particles/vortex/sort", &["particles/vortex/sort"]),
+    (
+        "particles/vortex/build",
+        &["particles/vortex/vortex", "particles/vortex/tree", "particles/vortex/build"],
+    ),
+    (
+        "particles/vortex/carry",
+        &[
+            "gpu/random",
+            "gpu/noise",
+            "particles/air",
+            "particles/motion",
+            "particles/vortex/vortex",
+            "particles/vortex/tree",
+            "particles/vortex/induced",
+            "particles/vortex/carry",
+        ],
+    ),
     ("shapes/mesh/place", &["gpu/octahedral", "shapes/mesh/mesh", "shapes/mesh/place"]),
     (
         "shapes/mesh/body",

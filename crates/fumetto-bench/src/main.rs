@@ -19,6 +19,7 @@ mod skins;
 mod step;
 mod subsystem;
 mod surface;
+mod vortex;
 
 use anyhow::{Context as _, ensure};
 use clap::Parser as _;
@@ -30,8 +31,15 @@ use report::{Report, Row, Table};
 use subsystem::Subsystem;
 
 /// Everything that is measured, in the order of the report.
-const SUBSYSTEMS: [&Subsystem; 6] =
-    [&step::STEP, &surface::SURFACE, &draw::DRAW, &edges::EDGES, &shadows::SHADOWS, &skins::SKINS];
+const SUBSYSTEMS: [&Subsystem; 7] = [
+    &step::STEP,
+    &vortex::VORTEX,
+    &surface::SURFACE,
+    &draw::DRAW,
+    &edges::EDGES,
+    &shadows::SHADOWS,
+    &skins::SKINS,
+];
 
 fn main() -> anyhow::Result<()> {
     let args = Args::parse();

@@ -81,6 +81,7 @@ substeps = 1
 [[object]]
 name = "smoke"
 kind = "smoke"
+solver = "forces"
 [object.emitter]
 shape = {{ disc = {{ center = [0.0, 0.0, 0.0], radius = 0.25 }} }}
 count = {count}

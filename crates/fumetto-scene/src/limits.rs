@@ -4,11 +4,17 @@ use schemars::{Schema, transform::Transform};
 use serde_json::Value;
 
 /// Bytes of simulation state a particle takes on the GPU.
-pub const PARTICLE_BYTES: u64 = 80;
+pub const PARTICLE_BYTES: u64 = 64 + 32;
 
-/// Most particles one object may hold. At [`PARTICLE_BYTES`] each they fill 115 MiB, and WebGPU's
-/// default for one storage binding is 128 MiB.
+/// Most particles one object may hold. At 64 bytes each their motion fills 92 MiB, and WebGPU's default for
+/// one storage binding is 128 MiB.
 pub const MAX_PARTICLES: u64 = 1_500_000;
+
+/// Most vortex particles one object may hold: workgroups make their tree in two rounds of eight levels.
+pub const MAX_VORTICES: u64 = 65_536;
+
+/// Vortex particles that there is room for at least. Also in the engine's `tree.wgsl`.
+pub const MIN_VORTEX_ROOM: u64 = 2048;
 
 /// Most objects in a scene: each has four pens, and the ink layer tells 255 of them apart.
 pub const MAX_OBJECTS: usize = 63;
@@ -100,6 +106,10 @@ pub const SUBDIVISIONS: Limit = Limit::closed(1.0, 512.0);
 pub const PER_RADIUS: Limit = Limit::above(0.0, 100.0);
 /// Strength of a surface's noise, in thresholds.
 pub const AMPLITUDE: Limit = Limit::closed(0.0, 100.0);
+/// Thickness of a ring's line, as a share of its radius.
+pub const CORE: Limit = Limit::closed(0.05, 1.0);
+/// Vortex particles in a ring.
+pub const SEGMENTS: Limit = Limit::closed(8.0, 128.0);
 /// Octaves of turbulence and of a surface's noise.
 pub const OCTAVES: Limit = Limit::closed(1.0, 6.0);
 

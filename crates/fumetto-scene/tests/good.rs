@@ -7,7 +7,7 @@ use common::{load, load_with};
 use fumetto_scene::{
     Background, Burst, Colour, Curve, Detail, Ease, EmitterShape, Exaggerate, Force, Given, Gooch, Highlight,
     Ink, InkMethod, Light, LightKind, Matter, Mesh, Metamorphosis, Morph, Noise, Particle, Puffs, Ramp,
-    RampImage, RampRows, Resolution, Rim, Scene, SceneText, Shading, Shape, Smoke, Spacing, Style,
+    RampImage, RampRows, Resolution, Rim, Rings, Scene, SceneText, Shading, Shape, Smoke, Spacing, Style,
     StyleChoice, Surface, Tone, Transform, Width,
 };
 
@@ -180,9 +180,9 @@ fn shadings_are_laid_over_each_other() {
 #[test]
 fn every_key_of_smoke_reaches_it() {
     let scene = good(include_str!("good/everything.toml"));
-    let Smoke { emitters, forces } = smoke(&scene);
+    let Smoke { emitters, forces, .. } = smoke(&scene);
     let emitter = &emitters[0];
-    let disc = EmitterShape::Disc { center: [0.0; 3], normal: [0.0, 1.0, 0.0], radius: 0.3 };
+    let disc = EmitterShape::Disc { center: [0.0; 3], normal: [0.0, 1.0, 0.0], radius: 0.3, hole: 0.25 };
     assert_eq!(emitter.shape, disc);
     assert_eq!((emitter.rate, emitter.count, emitter.active), (60.0, None, [0.0, 2.0]));
     assert_eq!(emitter.bursts, [Burst { at: 0.5, count: 100 }, Burst { at: 9.0, count: 50 }]);
@@ -192,6 +192,9 @@ fn every_key_of_smoke_reaches_it() {
     assert_eq!(emitter.mass_over_life, Curve::constant(1.0));
     assert_eq!(emitter.erosion_over_life, Curve::constant(0.25));
     assert_eq!(emitters[1].count, Some(500));
+    assert_eq!(emitters[0].rings, None);
+    let rings = Rings { circulation: -2.0, rate: 0.5, at: vec![1.0, 2.5], radius: Some(0.4), wobble: 0.2 };
+    assert_eq!(emitters[1].rings, Some(rings));
     assert_eq!(forces.len(), 7);
     assert_eq!(forces[0], Force::Gravity { acceleration: [0.0, -9.81, 0.0] });
     assert_eq!(forces[3], Force::Wind { velocity: [1.0, 0.0, 0.0], gust: 0.3, gust_secs: 3.0 });
@@ -204,7 +207,7 @@ fn costs_are_told_beforehand() {
     let costs = scene.requirements();
     // 60 a second for 2 s and a step, one for rounding, the larger burst, and 500 kept alive.
     let particles = (60.0_f64 * (2.0 + 1.0 / 48.0)).ceil() as u64 + 1 + 100 + 500;
-    assert_eq!((costs[0].particles, costs[0].state_bytes), (Some(particles), Some(particles * 80)));
+    assert_eq!((costs[0].particles, costs[0].state_bytes), (Some(particles), Some(particles * 96)));
     assert_eq!(costs[1].particles, None, "only the file knows");
 }
 

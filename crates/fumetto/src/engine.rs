@@ -114,8 +114,8 @@ impl Engine {
     fn advance(&self, player: &mut Player, steps: u64) {
         if steps < player.steps {
             let mut frame = Frame::new(&self.gpu, &self.pool, "particles.reset");
-            for emission in player.emissions() {
-                emission.reset(&mut frame);
+            for plume in player.plumes() {
+                plume.reset(&mut frame);
             }
             frame.submit();
             player.steps = 0;
@@ -125,8 +125,8 @@ impl Engine {
             let end = steps.min(player.steps + STEPS_A_SUBMIT);
             let mut frame = Frame::new(&self.gpu, &self.pool, "particles.steps");
             for step in player.steps..end {
-                for emission in player.emissions() {
-                    self.particles.step(&mut frame, emission, step, dt);
+                for plume in player.plumes() {
+                    self.particles.step(&mut frame, plume, step, dt);
                 }
             }
             frame.submit();
@@ -140,9 +140,9 @@ impl Engine {
         let mut frame = Frame::new(&self.gpu, &self.pool, "shapes.present");
         self.place.record(&mut frame, &player.meshes);
         for object in &player.objects {
-            if let PlayedMatter::Smoke(emissions) = &object.matter {
+            if let PlayedMatter::Smoke(plume) = &object.matter {
                 let mut placement = object.placement;
-                for emission in emissions {
+                for emission in &plume.emissions {
                     self.present.record(&mut frame, emission, placement, &player.puffs.puffs);
                     placement.first += emission.capacity();
                     placement.seed = placement.seed.wrapping_add(1);

@@ -15,7 +15,7 @@ use crate::{
     gpu::Gpu,
     morph::Tracks,
     object::ObjectStyle,
-    particles::Emission,
+    particles::Plume,
     shapes::{
         mesh::{Geometry, MeshScene, Shells, candidates},
         puffs::{Atlas, Placement, PuffObject, PuffScene, still_puffs},
@@ -25,7 +25,7 @@ use crate::{
 };
 
 /// Bytes of the largest record that there is one of for each particle.
-const RECORD_BYTES: u64 = 48;
+const RECORD_BYTES: u64 = 64;
 
 /// A scene at one moment, with all that it takes to draw it.
 pub struct Player {
@@ -60,7 +60,7 @@ pub(crate) enum PlayedMatter {
     Sequence(String, Vec<Particle>),
     /// Particles that become others.
     Morph(Box<Tracks>),
-    Smoke(Vec<Emission>),
+    Smoke(Box<Plume>),
     Model(Box<PlayedModel>),
 }
 
@@ -76,7 +76,7 @@ impl PlayedMatter {
         match self {
             Self::Still(particles) | Self::Sequence(_, particles) => particles.len() as u64,
             Self::Morph(tracks) => tracks.slots() as u64,
-            Self::Smoke(emissions) => emissions.iter().map(|emission| u64::from(emission.capacity())).sum(),
+            Self::Smoke(plume) => plume.emissions.iter().map(|emission| u64::from(emission.capacity())).sum(),
             Self::Model(_) => 0,
         }
     }
@@ -184,14 +184,14 @@ impl Player {
         self.puffs.count
     }
 
-    /// All emitters' particles.
-    pub(crate) fn emissions(&self) -> impl Iterator<Item = &Emission> {
-        self.objects.iter().flat_map(|object| match &object.matter {
-            PlayedMatter::Smoke(emissions) => emissions.as_slice(),
+    /// All smoke.
+    pub(crate) fn plumes(&self) -> impl Iterator<Item = &Plume> {
+        self.objects.iter().filter_map(|object| match &object.matter {
+            PlayedMatter::Smoke(plume) => Some(&**plume),
             PlayedMatter::Still(_)
             | PlayedMatter::Sequence(..)
             | PlayedMatter::Morph(_)
-            | PlayedMatter::Model(_) => &[],
+            | PlayedMatter::Model(_) => None,
         })
     }
 
@@ -367,13 +367,8 @@ fn play_matter(
             PlayedMatter::Morph(Box::new(Tracks::new(morph, sets)))
         }
         Matter::Smoke(smoke) => {
-            let step_secs = scene.time.step_secs();
             let seed = seed_of(scene, index);
-            let emissions = (0..).zip(&smoke.emitters).map(|(number, emitter): (u32, _)| {
-                let seed = seed.wrapping_add(number.wrapping_mul(0x27d4_eb2f));
-                Emission::new(gpu, emitter, &smoke.forces, seed, step_secs)
-            });
-            PlayedMatter::Smoke(emissions.collect())
+            PlayedMatter::Smoke(Box::new(Plume::new(gpu, smoke, seed, scene.time.step_secs())))
         }
         Matter::Mesh(_) => unreachable!("models are played with the scene's geometry"),
     })

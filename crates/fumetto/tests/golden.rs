@@ -147,6 +147,11 @@ fn genie_looks_as_it_did() {
 }
 
 #[test]
+fn rings_look_as_they_did() {
+    check("rings", 60);
+}
+
+#[test]
 fn cloud_simple_looks_as_it_did() {
     check("cloud-simple", 0);
 }

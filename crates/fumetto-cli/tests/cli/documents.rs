@@ -26,13 +26,17 @@ fn info_counts_what_the_scene_costs() {
     let folder = Folder::with_smoke();
     let text = folder.run(&["info", "smoke.toml"]).ends(0).out;
     assert!(text.contains("64 x 36") && text.contains("`smoke`") && text.contains("1 emitter"), "{text}");
+    assert!(text.contains("vortices  at most 72 at once"), "{text}");
 
     let out = folder.run(&["info", "smoke.toml", "--json"]).ends(0).out;
     let info: Value = serde_json::from_str(&out).unwrap();
     assert_eq!(info["frames"], serde_json::json!([0, 5]));
     // 20 a second for 3 seconds and one step, one for rounding, and the burst.
     assert_eq!(info["objects"][0]["particles"], 62 + 1 + 8);
-    assert_eq!(info["bytes"], 80 * 71);
+    // The ring of the burst, one that the stream has shed, and one for rounding.
+    let vortices = 3 * 24;
+    assert_eq!(info["objects"][0]["vortices"], vortices);
+    assert_eq!(info["bytes"], 96 * 71 + 64 * vortices + 120 * 2048);
     assert_eq!(info["objects"][0]["style"]["tones"][2], "#f4f7f9");
 }
 

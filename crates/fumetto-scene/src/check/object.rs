@@ -4,6 +4,7 @@ use super::{
     morph::{given, metamorphosis},
     shape::{details, shape},
     smoke::smoke,
+    vortex::few_vortices,
 };
 use crate::file::{ObjectFile, ObjectKind};
 use crate::limits::{MAX_PARTICLES, PARTICLE_BYTES};
@@ -46,15 +47,18 @@ pub(super) fn object(
         );
         source.error("too-many-particles", message, help);
     }
+    few_vortices(at, &object, step_secs);
     object
 }
 
 /// Keys that only some kinds have, with those kinds.
-const KEYS: [(&str, &[ObjectKind]); 9] = [
+const KEYS: [(&str, &[ObjectKind]); 11] = [
     ("particles", &[ObjectKind::Cloud]),
     ("morph", &[ObjectKind::Cloud]),
     ("emitter", &[ObjectKind::Smoke]),
     ("force", &[ObjectKind::Smoke]),
+    ("solver", &[ObjectKind::Smoke]),
+    ("vortex", &[ObjectKind::Smoke]),
     ("shape", &[ObjectKind::Cloud, ObjectKind::Smoke]),
     ("model", &[ObjectKind::Mesh]),
     ("up", &[ObjectKind::Mesh]),

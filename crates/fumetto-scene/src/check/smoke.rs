@@ -1,5 +1,6 @@
 use super::At;
 use super::values::{curve, direction, range};
+use super::vortex::{rings, vortex};
 use crate::file::{EmitterFile, EmitterShapeFile, ForceFile, ObjectFile};
 use crate::limits::{FACTOR, LENGTH, LIFE_SECS, MASS, SECONDS, SHARE};
 use crate::{Burst, Emitter, EmitterShape, Force, Smoke};
@@ -13,10 +14,12 @@ pub(super) fn smoke(at: &At<'_>, file: &ObjectFile) -> Smoke {
         at.key("emitter").error("no-emitter", message, help);
     }
     still_air(at, forces);
+    let vortex = vortex(at, file);
     let at_item = |key, i| at.key(key).item(i);
     Smoke {
         emitters: emitters.iter().enumerate().map(|(i, one)| emitter(&at_item("emitter", i), one)).collect(),
         forces: forces.iter().enumerate().map(|(i, one)| force(&at_item("force", i), one)).collect(),
+        vortex,
     }
 }
 
@@ -40,6 +43,7 @@ fn emitter(at: &At<'_>, file: &EmitterFile) -> Emitter {
         mass_over_life: growth("mass_over_life", &file.mass_over_life),
         erosion_over_life: share("erosion_over_life", &file.erosion_over_life),
         opacity_over_life: share("opacity_over_life", &file.opacity_over_life),
+        rings: rings(&at.key("rings"), file.rings.as_ref()),
     }
 }
 
@@ -91,8 +95,9 @@ fn active(at: &At<'_>, file: Option<[f32; 2]>) -> [f32; 2] {
 fn shape(at: &At<'_>, file: EmitterShapeFile) -> EmitterShape {
     match file {
         EmitterShapeFile::Point { center } => EmitterShape::Point { center },
-        EmitterShapeFile::Disc { center, normal, radius } => {
-            EmitterShape::Disc { center, normal: direction(&at.key("disc").key("normal"), normal), radius }
+        EmitterShapeFile::Disc { center, normal, radius, hole } => {
+            let normal = direction(&at.key("disc").key("normal"), normal);
+            EmitterShape::Disc { center, normal, radius, hole }
         }
         EmitterShapeFile::Sphere { center, radius } => EmitterShape::Sphere { center, radius },
         EmitterShapeFile::Box { center, size } => EmitterShape::Box { center, size },

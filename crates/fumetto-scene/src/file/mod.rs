@@ -13,6 +13,7 @@ mod style;
 mod surface;
 mod tones;
 mod values;
+mod vortex;
 
 pub use ink::{CreaseFile, HiddenLinesFile, InkFile, InkMethodFile, PenFile, WidthFile};
 pub use mesh::{ScaleFile, TransformFile, UpFile};
@@ -27,3 +28,4 @@ pub use tones::{
     RampRowsFile, RimFile, StepsFile, ToneFile, TonesFile,
 };
 pub use values::{ColourFile, CurveFile, OneOrMany, RangeFile};
+pub use vortex::{RingsFile, SolverFile, VortexFile};

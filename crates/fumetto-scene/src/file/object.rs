@@ -1,7 +1,10 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{EmitterFile, ForceFile, MorphFile, OneOrMany, StyleFile, SurfaceFile, TransformFile, UpFile};
+use super::{
+    EmitterFile, ForceFile, MorphFile, OneOrMany, SolverFile, StyleFile, SurfaceFile, TransformFile, UpFile,
+    VortexFile,
+};
 use crate::limits;
 
 /// A thing in the scene: matter, its shape, and how it is drawn.
@@ -28,6 +31,11 @@ pub struct ObjectFile {
     pub emitter: Option<OneOrMany<EmitterFile>>,
     /// What moves the particles of a `kind = "smoke"`.
     pub force: Option<Vec<ForceFile>>,
+    /// What else moves the particles of a `kind = "smoke"`: "vortex" (the default) makes them curl, "forces"
+    /// leaves it at the forces.
+    pub solver: Option<SolverFile>,
+    /// How the vortices of `solver = "vortex"` are shed, and what becomes of them.
+    pub vortex: Option<VortexFile>,
     /// The model of a `kind = "mesh"`: a .glb, .gltf or .obj file relative to the scene file.
     pub model: Option<String>,
     /// Which way is up in the model's file: "y" (the default, as in glTF) or "z".

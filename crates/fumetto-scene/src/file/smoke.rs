@@ -1,7 +1,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{CurveFile, RangeFile};
+use super::{CurveFile, RangeFile, RingsFile};
 use crate::limits;
 
 /// Where particles come from, and with what they are born.
@@ -53,6 +53,8 @@ pub struct EmitterFile {
     /// Flat transparency, 0 (gone) to 1 (opaque). Default 1.
     #[serde(default = "whole")]
     pub opacity_over_life: CurveFile,
+    /// Vortex rings on demand, in place of those that the emitter sheds of itself.
+    pub rings: Option<RingsFile>,
 }
 
 fn life() -> RangeFile {
@@ -105,6 +107,10 @@ pub enum EmitterShapeFile {
         /// Its radius in metres, above 0.
         #[schemars(transform = &limits::LENGTH)]
         radius: f32,
+        /// Share of the radius, from the middle on, in which nothing is born; 0 to 1. Default 0.
+        #[serde(default)]
+        #[schemars(transform = &limits::SHARE)]
+        hole: f32,
     },
     /// A filled ball.
     Sphere {

@@ -1,7 +1,7 @@
 //! What a scene will cost, told before anything is allocated.
 
 use crate::limits::PARTICLE_BYTES;
-use crate::{Emitter, Matter, Object, Scene, Surface, SurfaceRoom, Time};
+use crate::{Burst, Emitter, Matter, Object, Scene, Surface, SurfaceRoom, Time};
 
 /// What one object will need.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -12,6 +12,8 @@ pub struct ObjectCost {
     pub particles: Option<u64>,
     /// Bytes of simulation state for them.
     pub state_bytes: Option<u64>,
+    /// Most vortex particles alive at once.
+    pub vortices: u64,
     /// Room for its surface; `None` where it has none, and where only a particle file tells.
     pub surface: Option<SurfaceRoom>,
     /// Likewise for its layers of detail.
@@ -29,7 +31,8 @@ impl Scene {
             let room = |surface| object.surface_room(surface, step_secs);
             let surface = object.shape.surface().and_then(room);
             let details = object.details.iter().filter_map(|detail| room(&detail.surface)).collect();
-            ObjectCost { name: object.name.clone(), particles, state_bytes, surface, details }
+            let vortices = object.vortices(step_secs);
+            ObjectCost { name: object.name.clone(), particles, state_bytes, vortices, surface, details }
         };
         self.objects.iter().map(cost).collect()
     }
@@ -72,6 +75,15 @@ impl Object {
 }
 
 impl Object {
+    /// Most vortex particles that can be alive at once, simulated in steps of `step_secs`.
+    #[must_use]
+    pub fn vortices(&self, step_secs: f64) -> u64 {
+        match &self.matter {
+            Matter::Smoke(smoke) => smoke.vortices(step_secs),
+            Matter::Still(_) | Matter::File(_) | Matter::Morph(_) | Matter::Mesh(_) => 0,
+        }
+    }
+
     fn surface_room(&self, surface: &Surface, step_secs: f64) -> Option<SurfaceRoom> {
         match &self.matter {
             Matter::Still(particles) => Some(surface.plan(particles).room),
@@ -94,28 +106,40 @@ impl Emitter {
         if let Some(count) = self.count {
             return count.into();
         }
-        let stay_secs = f64::from(self.life[0].max(self.life[1])) + step_secs;
-        let active_secs = f64::from(self.active[1]) - f64::from(self.active[0]) + step_secs;
-        let emitted = f64::from(self.rate) * stay_secs.min(active_secs.max(0.0));
-        // One more, because a fraction carried over from step to step can round up. The cast saturates.
-        let flowing = if emitted > 0.0 { emitted.ceil() as u64 + 1 } else { 0 };
-        flowing.saturating_add(self.burst_capacity(stay_secs))
+        let life_secs = self.life[0].max(self.life[1]);
+        most_alive(self.rate, self.active, &self.bursts, life_secs, step_secs)
     }
+}
 
-    /// Most particles of bursts alive at once: of those within `stay_secs` of each other.
-    fn burst_capacity(&self, stay_secs: f64) -> u64 {
-        let mut bursts: Vec<(f64, u64)> =
-            self.bursts.iter().map(|burst| (f64::from(burst.at), burst.count.into())).collect();
-        bursts.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let (mut oldest, mut alive, mut most) = (0, 0_u64, 0);
-        for &(at, count) in &bursts {
-            alive = alive.saturating_add(count);
-            while bursts[oldest].0 + stay_secs < at {
-                alive = alive.saturating_sub(bursts[oldest].1);
-                oldest += 1;
-            }
-            most = most.max(alive);
+/// Most of what is born at a `rate` while `active`, and in `bursts`, that can be alive at once.
+pub(super) fn most_alive(
+    rate: f32,
+    active: [f32; 2],
+    bursts: &[Burst],
+    life_secs: f32,
+    step_secs: f64,
+) -> u64 {
+    let stay_secs = f64::from(life_secs) + step_secs;
+    let active_secs = f64::from(active[1]) - f64::from(active[0]) + step_secs;
+    let emitted = f64::from(rate) * stay_secs.min(active_secs.max(0.0));
+    // One more, because a fraction carried over from step to step can round up. The cast saturates.
+    let flowing = if emitted > 0.0 { emitted.ceil() as u64 + 1 } else { 0 };
+    flowing.saturating_add(most_of_bursts(bursts, stay_secs))
+}
+
+/// Most of bursts alive at once: of those within `stay_secs` of each other.
+fn most_of_bursts(bursts: &[Burst], stay_secs: f64) -> u64 {
+    let mut bursts: Vec<(f64, u64)> =
+        bursts.iter().map(|burst| (f64::from(burst.at), burst.count.into())).collect();
+    bursts.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let (mut oldest, mut alive, mut most) = (0, 0_u64, 0);
+    for &(at, count) in &bursts {
+        alive = alive.saturating_add(count);
+        while bursts[oldest].0 + stay_secs < at {
+            alive = alive.saturating_sub(bursts[oldest].1);
+            oldest += 1;
         }
-        most
+        most = most.max(alive);
     }
+    most
 }

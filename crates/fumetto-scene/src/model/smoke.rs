@@ -1,4 +1,4 @@
-use crate::Curve;
+use crate::{Curve, Rings, Vortex};
 
 /// Matter that is emitted and moved.
 #[derive(Clone, Debug, PartialEq)]
@@ -7,6 +7,8 @@ pub struct Smoke {
     pub emitters: Vec<Emitter>,
     /// What moves the particles.
     pub forces: Vec<Force>,
+    /// What makes them curl; `None` by `solver = "forces"`.
+    pub vortex: Option<Vortex>,
 }
 
 /// Where particles come from, and with what they are born.
@@ -43,6 +45,8 @@ pub struct Emitter {
     pub erosion_over_life: Curve,
     /// Flat transparency: 1 opaque, 0 gone.
     pub opacity_over_life: Curve,
+    /// Vortex rings in place of those that it sheds of itself.
+    pub rings: Option<Rings>,
 }
 
 /// Particles that are born at one moment.
@@ -70,6 +74,8 @@ pub enum EmitterShape {
         normal: [f32; 3],
         /// Its radius in metres.
         radius: f32,
+        /// Share of the radius, from the middle on, in which nothing is born.
+        hole: f32,
     },
     /// A filled ball.
     Sphere {

@@ -3,15 +3,19 @@
 use fumetto_scene::{Emitter, EmitterShape, Force};
 use glam::{Vec3, Vec4};
 
-use super::{births::births_between, forces::force_at};
+use super::{
+    births::{Timetable, births_between},
+    forces::forces_at,
+    vortex::{Span, Tree},
+};
 use crate::gpu::{Frame, Gpu, Slot, kernels, shader, workgroups};
 
 /// Bytes of a `Particle` of `state.wgsl`.
-const PARTICLE_BYTES: u64 = 48;
+const PARTICLE_BYTES: u64 = 64;
 
-/// Long-lived kernels.
+/// The long-lived kernel.
 #[derive(Debug)]
-pub(crate) struct Particles {
+pub(super) struct Motion {
     step: wgpu::ComputePipeline,
 }
 
@@ -19,7 +23,6 @@ pub(crate) struct Particles {
 #[derive(Debug)]
 pub(crate) struct Emission {
     emitter: Emitter,
-    forces: Vec<Force>,
     seed: u32,
     capacity: u32,
     particles: wgpu::Buffer,
@@ -50,40 +53,38 @@ struct StepUniform {
     life: [f32; 2],
     radius: [f32; 2],
     mass: [f32; 2],
-    pad: [f32; 2],
+    places: u32,
+    pad: u32,
 }
 
-impl Particles {
-    pub(crate) fn new(gpu: &Gpu) -> Self {
-        let slots = [Slot::Uniform, Slot::Read, Slot::Write];
+impl Motion {
+    pub(super) fn new(gpu: &Gpu) -> Self {
+        let slots = [Slot::Uniform, Slot::Read, Slot::Write, Slot::Read, Slot::Read];
         let [step] = kernels(gpu, shader!("particles/step"), &slots, ["main"]);
         Self { step }
     }
 
-    /// Advances by the step from `step · dt` to `(step + 1) · dt`.
-    pub(crate) fn step(&self, frame: &mut Frame<'_>, emission: &Emission, step: u64, dt: f64) {
-        let time = step as f64 * dt;
-        let forces: Vec<_> = (0..)
-            .zip(&emission.forces)
-            .map(|(index, force)| force_at(force, index, emission.seed, time as f32))
-            .collect();
-        let uniform = frame.uniform("particles.step.uniform", &emission.step_uniform(time, dt));
+    /// Advances by a step, carried by the vortices in `tree`.
+    pub(super) fn step(
+        &self,
+        frame: &mut Frame<'_>,
+        emission: &Emission,
+        forces: &[Force],
+        tree: &Tree,
+        span: Span,
+    ) {
+        let uniform = StepUniform { places: tree.places, ..emission.step_uniform(forces, span) };
+        let uniform = frame.uniform("particles.step.uniform", &uniform);
+        let forces = forces_at(forces, emission.seed, span.time as f32);
         let forces = frame.storage("particles.step.forces", &forces);
-        frame.compute(
-            "particles.step",
-            &self.step,
-            &[
-                uniform.as_entire_binding(),
-                forces.as_entire_binding(),
-                emission.particles.as_entire_binding(),
-            ],
-            workgroups(emission.capacity),
-        );
+        let bindings = [&uniform, &forces, &emission.particles, &tree.leaves, &tree.nodes];
+        let bindings = bindings.map(wgpu::Buffer::as_entire_binding);
+        frame.compute("particles.step", &self.step, &bindings, workgroups(emission.capacity));
     }
 }
 
 impl Emission {
-    pub(crate) fn new(gpu: &Gpu, emitter: &Emitter, forces: &[Force], seed: u32, step_secs: f64) -> Self {
+    pub(super) fn new(gpu: &Gpu, emitter: &Emitter, seed: u32, step_secs: f64) -> Self {
         let capacity = u32::try_from(emitter.capacity(step_secs)).unwrap_or(u32::MAX);
         let particles = gpu.device.create_buffer(&wgpu::BufferDescriptor {
             label: Some("particles.state"),
@@ -91,7 +92,7 @@ impl Emission {
             usage: wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::COPY_SRC,
             mapped_at_creation: false,
         });
-        Self { emitter: emitter.clone(), forces: forces.to_vec(), seed, capacity, particles }
+        Self { emitter: emitter.clone(), seed, capacity, particles }
     }
 
     /// What emits.
@@ -110,13 +111,13 @@ impl Emission {
     }
 
     /// Back to before the first birth.
-    pub(crate) fn reset(&self, frame: &mut Frame<'_>) {
+    pub(super) fn reset(&self, frame: &mut Frame<'_>) {
         frame.encoder.clear_buffer(&self.particles, 0, None);
     }
 
-    fn step_uniform(&self, time: f64, dt: f64) -> StepUniform {
+    fn step_uniform(&self, forces: &[Force], Span { time, dt }: Span) -> StepUniform {
         let emitter = &self.emitter;
-        let births = births_between(emitter, time, time + dt);
+        let births = births_between(Timetable::of(emitter), time, time + dt);
         let (shape, center, extent, shape_radius) = shape_uniform(emitter.shape);
         StepUniform {
             time: time as f32,
@@ -127,7 +128,7 @@ impl Emission {
             first_birth: births.first as u32,
             births: births.count as u32,
             burst: births.burst as u32,
-            forces: self.forces.len() as u32,
+            forces: forces.len() as u32,
             reborn: u32::from(emitter.count.is_some()),
             stagger: emitter.life[1],
             from: emitter.active[0],
@@ -136,28 +137,30 @@ impl Emission {
             spread_cos: emitter.spread_deg.to_radians().cos(),
             speed_jitter: emitter.speed_jitter,
             shape_radius,
-            center: center.extend(0.0),
-            extent: extent.extend(0.0),
+            center,
+            extent,
             velocity: Vec3::from(emitter.velocity).extend(0.0),
             life: emitter.life,
             radius: emitter.radius,
             mass: emitter.mass,
-            pad: [0.0; 2],
+            places: 0,
+            pad: 0,
         }
     }
 }
 
 /// Kind, centre, extent and radius as `step.wgsl` takes them.
-fn shape_uniform(shape: EmitterShape) -> (u32, Vec3, Vec3, f32) {
-    match shape {
-        EmitterShape::Point { center } => (0, center.into(), Vec3::ZERO, 0.0),
-        EmitterShape::Disc { center, normal, radius } => {
-            (1, center.into(), Vec3::from(normal).normalize_or(Vec3::Y), radius)
+pub(super) fn shape_uniform(shape: EmitterShape) -> (u32, Vec4, Vec4, f32) {
+    let (kind, center, extent, radius) = match shape {
+        EmitterShape::Point { center } => (0, center, Vec4::ZERO, 0.0),
+        EmitterShape::Disc { center, normal, radius, hole } => {
+            (1, center, Vec3::from(normal).normalize_or(Vec3::Y).extend(hole), radius)
         }
-        EmitterShape::Sphere { center, radius } => (2, center.into(), Vec3::ZERO, radius),
-        EmitterShape::Box { center, size } => (3, center.into(), size.into(), 0.0),
-        EmitterShape::Line { from, to } => (4, from.into(), Vec3::from(to) - Vec3::from(from), 0.0),
-    }
+        EmitterShape::Sphere { center, radius } => (2, center, Vec4::ZERO, radius),
+        EmitterShape::Box { center, size } => (3, center, Vec3::from(size).extend(0.0), 0.0),
+        EmitterShape::Line { from, to } => (4, from, (Vec3::from(to) - Vec3::from(from)).extend(0.0), 0.0),
+    };
+    (kind, Vec3::from(center).extend(0.0), extent, radius)
 }
 
 #[cfg(test)]
@@ -165,5 +168,5 @@ mod tests {
     use super::*;
     use crate::gpu::layout_test;
 
-    layout_test!(lies_as_its_twin: StepUniform, "Step" of "particles/step" { time, dt, seed, capacity, first_birth, births, burst, forces, reborn, stagger, from as begin, until, shape, spread_cos, speed_jitter, shape_radius, center, extent, velocity, life, radius, mass });
+    layout_test!(lies_as_its_twin: StepUniform, "Step" of "particles/step" { time, dt, seed, capacity, first_birth, births, burst, forces, reborn, stagger, from as begin, until, shape, spread_cos, speed_jitter, shape_radius, center, extent, velocity, life, radius, mass, places });
 }

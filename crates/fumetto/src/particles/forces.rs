@@ -17,8 +17,13 @@ pub(crate) struct ForceUniform {
     pad: u32,
 }
 
+/// All of `forces` at `time` seconds.
+pub(super) fn forces_at(forces: &[Force], seed: u32, time: f32) -> Vec<ForceUniform> {
+    (0..).zip(forces).map(|(index, force)| force_at(force, index, seed, time)).collect()
+}
+
 /// `force`, the scene's `index`-th, at `time` seconds.
-pub(crate) fn force_at(force: &Force, index: u32, seed: u32, time: f32) -> ForceUniform {
+fn force_at(force: &Force, index: u32, seed: u32, time: f32) -> ForceUniform {
     let of = |kind, a, b| ForceUniform { a, b, kind, ..Default::default() };
     match *force {
         Force::Gravity { acceleration: [x, y, z] } => of(0, [x, y, z, 0.0], [0.0; 4]),

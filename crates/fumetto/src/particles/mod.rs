@@ -3,8 +3,11 @@
 mod births;
 mod emission;
 mod forces;
+mod plume;
+mod vortex;
 
-pub(crate) use emission::{Emission, Particles};
+pub(crate) use emission::Emission;
+pub(crate) use plume::{Particles, Plume};
 
 #[cfg(test)]
 mod tests;

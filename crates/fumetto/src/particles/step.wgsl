@@ -23,38 +23,30 @@ struct Step {
     speed_jitter: f32,
     shape_radius: f32,
     center: vec4f,
-    // Unit normal, sides, or the line from `center`.
+    // Unit normal and share of the radius that is a hole, sides, or the line from `center`.
     extent: vec4f,
     velocity: vec4f,
     // Smallest and largest.
     life: vec2f,
     radius: vec2f,
     mass: vec2f,
-    pad: vec2f,
+    // Places in the vortices' tree; 0 without one.
+    places: u32,
+    pad: u32,
 }
 
 @group(0) @binding(0) var<uniform> step: Step;
 @group(0) @binding(1) var<storage, read> forces: array<Force>;
 @group(0) @binding(2) var<storage, read_write> particles: array<Particle>;
-
-const TAU: f32 = 6.2831853;
-
-// Two unit vectors at right angles to `axis` and each other (Duff et al. 2017).
-fn across(axis: vec3f) -> mat2x3f {
-    let side = select(-1.0, 1.0, axis.z >= 0.0);
-    let a = -1.0 / (side + axis.z);
-    let b = axis.x * axis.y * a;
-    return mat2x3f(
-        vec3f(1.0 + side * axis.x * axis.x * a, side * b, -side * axis.x),
-        vec3f(b, side + axis.y * axis.y * a, -axis.y),
-    );
-}
+@group(0) @binding(3) var<storage, read> leaves: array<Leaf>;
+@group(0) @binding(4) var<storage, read> nodes: array<Node>;
 
 fn birth_place(key: u32) -> vec3f {
     let u = vec3f(random(key, 0u), random(key, 1u), random(key, 2u));
     switch step.shape {
         case 1u: {
-            let arm = sqrt(u.x) * step.shape_radius * vec2f(cos(TAU * u.y), sin(TAU * u.y));
+            let hole = step.extent.w;
+            let arm = sqrt(mix(hole * hole, 1.0, u.x)) * step.shape_radius * vec2f(cos(TAU * u.y), sin(TAU * u.y));
             return step.center.xyz + across(step.extent.xyz) * arm;
         }
         case 2u: {
@@ -88,27 +80,21 @@ fn born(birth: u32) -> Particle {
         0.0,
         birth_velocity(key),
         mix(step.life.x, step.life.y, random(key, 6u)),
+        vec3f(0.0),
         mix(step.radius.x, step.radius.y, random(key, 7u)),
         mix(step.mass.x, step.mass.y, random(key, 8u)),
         birth,
-        0u,
     );
 }
 
-// Moves a particle for `dt` seconds through air that stays as it is: the exact solution of
-// dv/dt = acceleration + drag (air - v).
+// Moves a particle for `dt` seconds: its own motion, and where vortices carry it meanwhile, as fast as they
+// do half-way.
 fn moved(start: Particle, dt: f32) -> Particle {
     var particle = start;
-    let air = air_at(particle.position, particle.age, step.forces);
-    if air.drag > 0.0 {
-        let settled = air.velocity + air.acceleration / air.drag;
-        let left = exp(-air.drag * dt);
-        particle.position += settled * dt + (start.velocity - settled) * ((1.0 - left) / air.drag);
-        particle.velocity = settled + (start.velocity - settled) * left;
-    } else {
-        particle.position += start.velocity * dt + 0.5 * dt * dt * air.acceleration;
-        particle.velocity += air.acceleration * dt;
-    }
+    let own = drift(start.velocity, air_at(start.position, start.age, step.forces), dt);
+    particle.carried = induced(start.position + 0.5 * (own.shift + dt * start.carried), step.places);
+    particle.position += own.shift + dt * particle.carried;
+    particle.velocity = own.velocity;
     particle.age += dt;
     return particle;
 }

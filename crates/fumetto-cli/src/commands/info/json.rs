@@ -51,6 +51,7 @@ fn object_json(object: &Object, load: &Load) -> Value {
         "forces": forces,
         "file": file,
         "particles": load.particles,
+        "vortices": load.vortices,
         "triangles": load.triangles,
         "surface": load.surface.map(|room| json!({ "triangles": room.triangles, "bytes": load.surface_bytes() })),
         "details": load.details.iter().map(detail).collect::<Vec<_>>(),

@@ -10,7 +10,7 @@ use fumetto::{Assets as _, Tiling};
 use fumetto_formats::{ModelOptions, is_sequence, read_model, read_particles, sequence_path};
 use fumetto_scene::limits::PARTICLE_BYTES;
 use fumetto_scene::{
-    Background, Given, Light, LightKind, Matter, Object, Particle, Scene, Surface, SurfaceRoom,
+    Background, Given, Light, LightKind, Matter, Object, Particle, Scene, Surface, SurfaceRoom, vortex_bytes,
 };
 
 use crate::args::InfoArgs;
@@ -36,6 +36,8 @@ pub(crate) fn run(args: &InfoArgs) -> anyhow::Result<ExitCode> {
 struct Load {
     /// Most of them at once; of a sequence of files those of the first.
     particles: u64,
+    /// Vortex particles, likewise.
+    vortices: u64,
     /// Copies counted singly.
     triangles: u64,
     /// Room for a surface round the particles.
@@ -74,7 +76,10 @@ impl Load {
     fn bytes(&self) -> u64 {
         let details =
             self.details.iter().map(SurfaceRoom::bytes).fold(self.surface_bytes(), u64::saturating_add);
-        self.particles.saturating_mul(PARTICLE_BYTES).saturating_add(details)
+        self.particles
+            .saturating_mul(PARTICLE_BYTES)
+            .saturating_add(vortex_bytes(self.vortices))
+            .saturating_add(details)
     }
 }
 
@@ -105,7 +110,13 @@ fn loads(scene: &Scene, folder: &SceneFolder) -> anyhow::Result<Vec<Load>> {
         }
         Matter::Still(_) | Matter::Smoke(_) => {
             let particles = cost.particles.unwrap_or_default();
-            Ok(Load { particles, surface: cost.surface, details: cost.details, ..Load::default() })
+            Ok(Load {
+                particles,
+                vortices: cost.vortices,
+                surface: cost.surface,
+                details: cost.details,
+                ..Load::default()
+            })
         }
     });
     let mut loads = loads.collect::<anyhow::Result<Vec<_>>>()?;

@@ -2,7 +2,7 @@
 
 use fumetto_formats::is_sequence;
 use fumetto_scene::limits::PARTICLE_BYTES;
-use fumetto_scene::{Light, Matter, Object, Ramp, Scene, Style, Width};
+use fumetto_scene::{Light, Matter, Object, Ramp, Scene, Style, Width, vortex_bytes};
 use indicatif::{BinaryBytes, HumanCount};
 
 use super::{Load, background, duration_secs, hex, is_by_tiles, light_kind, sum};
@@ -32,6 +32,7 @@ pub(super) fn of(name: &str, scene: &Scene, loads: &[Load]) -> String {
             if object.visible { "" } else { ", hidden" }
         ));
         lines.push(load_words(load));
+        lines.extend(vortex_words(load.vortices));
         let surface = load.surface.map(|room| surface_words("surface", room.triangles, load.surface_bytes()));
         lines.extend(surface);
         lines.extend(load.details.iter().map(|room| surface_words("detail", room.triangles, room.bytes())));
@@ -49,6 +50,10 @@ fn load_words(load: &Load) -> String {
         }
         Load { triangles, .. } => format!("    triangles {}", HumanCount(*triangles)),
     }
+}
+
+fn vortex_words(vortices: u64) -> Option<String> {
+    (vortices > 0).then(|| format!("    vortices  {}", cost(vortices, vortex_bytes(vortices))))
 }
 
 fn surface_words(what: &str, triangles: u32, bytes: u64) -> String {

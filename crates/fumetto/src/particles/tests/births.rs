@@ -101,6 +101,15 @@ fn a_disc_is_filled_evenly_and_nothing_leaves_its_plane() {
 }
 
 #[test]
+fn nothing_is_born_in_the_hole_of_a_disc() {
+    let places = born_in("disc = { center = [0, 0, 0], radius = 2, hole = 0.5 }");
+    assert!(places.iter().all(|&place| (1.0 - 1e-5..=2.0 + 1e-5).contains(&place.length())));
+    // Of an even annulus, the mean square is the mean of both radii's squares.
+    let spread = mean(places.iter().map(|place| place.length_squared()));
+    assert!((spread - 2.5).abs() < 0.06, "mean square {spread}");
+}
+
+#[test]
 fn a_sphere_is_filled_evenly() {
     let center = Vec3::new(1.0, 2.0, 3.0);
     let places = born_in("sphere = { center = [1, 2, 3], radius = 2 }");

@@ -19,27 +19,28 @@ use crate::{Assets, Engine, Gpu, Player, gpu::read_buffer};
 static ENGINE: LazyLock<Mutex<Engine>> =
     LazyLock::new(|| Mutex::new(Engine::new(pollster::block_on(Gpu::headless()).expect("a Vulkan driver"))));
 
-fn engine() -> MutexGuard<'static, Engine> {
+pub(super) fn engine() -> MutexGuard<'static, Engine> {
     ENGINE.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// `Particle` of `state.wgsl`.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
-struct Particle {
-    position: Vec3,
+pub(super) struct Particle {
+    pub(super) position: Vec3,
     age: f32,
     velocity: Vec3,
     life: f32,
+    pub(super) carried: Vec3,
     radius: f32,
     mass: f32,
     birth: u32,
-    pad: u32,
+    pad: [u32; 2],
 }
 
 crate::gpu::layout_test!(
     particles_are_read_back_as_they_are: Particle,
-    "Particle" of "particles/step" { position, age, velocity, life, radius, mass, birth }
+    "Particle" of "particles/step" { position, age, velocity, life, carried, radius, mass, birth }
 );
 
 impl Particle {
@@ -62,11 +63,20 @@ fn play(engine: &Engine, fps: f32, emitter: &str, forces: &[&str]) -> Player {
 }
 
 fn play_seeded(engine: &Engine, seed: u32, fps: f32, emitter: &str, forces: &[&str]) -> Player {
-    let forces = forces.join(", ");
+    play_smoke(
+        engine,
+        seed,
+        fps,
+        &format!("solver = \"forces\"\nforce = [{}]\n[object.emitter]\n{emitter}\n", forces.join(", ")),
+    )
+}
+
+/// Smoke with these `keys`, at `fps` steps a second.
+pub(super) fn play_smoke(engine: &Engine, seed: u32, fps: f32, keys: &str) -> Player {
     let toml = format!(
         "format = 1\nseed = {seed}\ncamera = {{ eye = [0, 0, 5], target = [0, 0, 0] }}\n\
          time = {{ fps = {fps}, frames = [0, 100] }}\n\
-         [[object]]\nname = \"smoke\"\nkind = \"smoke\"\nforce = [{forces}]\n[object.emitter]\n{emitter}\n"
+         [[object]]\nname = \"smoke\"\nkind = \"smoke\"\n{keys}"
     );
     let text = SceneText { name: "test", toml: &toml, ..Default::default() };
     let loaded = Scene::load(&text, &mut |_| Err("there are no styles".into()));
@@ -75,9 +85,10 @@ fn play_seeded(engine: &Engine, seed: u32, fps: f32, emitter: &str, forces: &[&s
 }
 
 /// All slots of the one emitter after `steps` steps.
-fn slots_after(engine: &Engine, player: &mut Player, steps: u32) -> Vec<Particle> {
+pub(super) fn slots_after(engine: &Engine, player: &mut Player, steps: u32) -> Vec<Particle> {
     engine.seek(player, steps).expect("there are no files to miss");
-    let emission = player.emissions().next().expect("there is one emitter");
+    let plume = player.plumes().next().expect("there is smoke");
+    let emission = plume.emissions.first().expect("there is one emitter");
     read_buffer(engine.gpu(), emission.particles()).expect("the device lives")
 }
 
