@@ -9,8 +9,8 @@ use glam::Vec3;
 
 use super::{
     geometry::{DOUBLE_SIDED, Geometry},
-    pieces::weld,
     smooth::unpacked,
+    weld::weld,
 };
 
 /// `Candidate` of `candidate.wgsl`: an edge with its triangles, or a triangle with a contour in it.

@@ -9,10 +9,11 @@ use glam::{EulerRot, Mat4, Quat, Vec3};
 use half::f16;
 
 use super::{
-    pieces::{pieces, weld},
+    pieces::pieces,
     push::{Push, pushes},
     reserved::Reservation,
     smooth::MAX_SCALES,
+    weld::weld,
 };
 
 /// `Source` of `mesh.wgsl`.

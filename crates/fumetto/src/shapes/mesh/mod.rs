@@ -10,11 +10,13 @@ mod place;
 mod push;
 mod reserved;
 mod scene;
+mod sets;
 mod shells;
 mod smooth;
 #[cfg(test)]
 mod tests;
 mod textures;
+mod weld;
 
 pub(crate) use body::Body;
 pub(crate) use edge_scene::LineScene;

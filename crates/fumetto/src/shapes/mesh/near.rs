@@ -2,6 +2,8 @@
 
 use glam::Vec3;
 
+use super::sets::Sets;
+
 /// Places nearer than this share of all their extent may be one: a program that works out the same corner
 /// twice in single precision comes about this close.
 const ROUNDING: f32 = 1e-5;
@@ -39,34 +41,6 @@ impl Near {
     pub(super) fn of(&mut self, vertex: u32) -> u32 {
         let at = self.vertices.partition_point(|&other| other < vertex);
         self.vertices[self.same.find(at)]
-    }
-}
-
-/// Disjoint sets of numbers.
-pub(super) struct Sets(Vec<usize>);
-
-impl Sets {
-    pub(super) fn new(count: usize) -> Self {
-        Self((0..count).collect())
-    }
-
-    /// The lowest number of a set; halves the way to it for the next time.
-    pub(super) fn find(&mut self, mut number: usize) -> usize {
-        while self.0[number] != number {
-            self.0[number] = self.0[self.0[number]];
-            number = self.0[number];
-        }
-        number
-    }
-
-    /// Makes one set of those that `numbers` are in.
-    pub(super) fn join_all(&mut self, numbers: impl Iterator<Item = usize>) {
-        let mut last = None;
-        for number in numbers {
-            let (a, b) = (self.find(number), self.find(last.unwrap_or(number)));
-            self.0[a.max(b)] = a.min(b);
-            last = Some(number);
-        }
     }
 }
 

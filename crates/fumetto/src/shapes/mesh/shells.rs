@@ -8,8 +8,9 @@ use glam::Vec3;
 
 use super::{
     geometry::{Geometry, Triangle},
-    near::{Near, Sets},
-    pieces::weld,
+    near::Near,
+    sets::Sets,
+    weld::weld,
 };
 
 /// `Edge` of `shells.wgsl`.

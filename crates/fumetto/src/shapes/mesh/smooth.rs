@@ -4,7 +4,10 @@ use std::ops::Range;
 
 use glam::Vec3;
 
-use super::geometry::{Geometry, Source, Triangle, octahedral};
+use super::{
+    geometry::{Geometry, Source, Triangle, octahedral},
+    weld::weld_by,
+};
 
 /// Smoothed normals of each vertex. Also in `exaggerate.wgsl`.
 pub(crate) const MAX_SCALES: usize = 8;
@@ -47,17 +50,11 @@ struct Net {
 impl Net {
     /// The net of `sources`, which `triangles` number from `first`.
     fn new(sources: &[Source], triangles: &[Triangle], first: u32) -> Self {
-        // Adding 0 makes one of the two zeros.
-        let key = |source: &Source| source.position.map(|along| (along + 0.0).to_bits());
-        let mut order: Vec<u32> = (0..sources.len() as u32).collect();
-        order.sort_by_key(|&index| key(&sources[index as usize]));
-        let mut node_of = vec![0; sources.len()];
+        let mut node_of = Vec::with_capacity(sources.len());
         let mut count = 0;
-        for run in order.chunk_by(|&a, &b| key(&sources[a as usize]) == key(&sources[b as usize])) {
-            for &index in run {
-                node_of[index as usize] = count;
-            }
-            count += 1;
+        for (index, lowest) in weld_by(sources, |_| ()).into_iter().enumerate() {
+            node_of.push(if lowest == index { count } else { node_of[lowest] });
+            count += u32::from(lowest == index);
         }
         let mut edges: Vec<[u32; 2]> = Vec::with_capacity(6 * triangles.len());
         for triangle in triangles {
