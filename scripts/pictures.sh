@@ -39,6 +39,8 @@ draw cloud-cel cloud-cel.png "${large[@]}"
 draw smoke-cel smoke-cel.png --frame 180 "${large[@]}"
 draw cloud-transparent cloud-transparent.png "${large[@]}"
 draw rings rings.png --frame 60 "${large[@]}"
+draw storm storm.png "${large[@]}"
+draw puff-fuzzy puff-fuzzy.png "${large[@]}"
 draw chimney chimney.gif --frames 144..191 --size 320x180
 
 # The first scene of README.md, as it stands there, and two ways for its smoke to end.
@@ -83,6 +85,18 @@ for cloud in cloud-detailed cloud-simple cloud-layers; do
     draw "$cloud" "$cloud.png" "${small[@]}"
 done
 draw cloud-layers layers-none.png --set 'object.cloud.shape.surface.detail=[]' "${small[@]}"
+
+# Volumes, one setting at a time.
+puff=object.puff.shape.volume
+for percent in 20 80; do
+    draw puff-plain "volume-amplitude-$percent.png" --set "$puff.noise.amplitude=0.$((percent / 10))" --size 240x240
+done
+draw puff-plain volume-octaves-1.png --set "$puff.noise.octaves=1" --size 240x240
+draw puff-plain volume-edge.png --set "$puff.edge=1" --size 240x240
+for percent in 0 50 100; do
+    soft=$((percent / 100)).$((percent % 100))
+    draw puff-fuzzy "volume-soft-$percent.png" --set "$puff.soft=$soft" "${small[@]}"
+done
 
 # The plate of shadings, and each of them by itself: in its place of four columns and three rows.
 draw shadings shadings.png --size 640x480 --set style.height=800

@@ -106,6 +106,7 @@ const PROGRAMS: &[(&str, &[&str])] = &[
             "shapes/puffs/billboard",
             "shapes/puffs/form_grid",
             "shapes/puffs/form_at",
+            "gpu/octahedral",
             "shapes/puffs/normal",
         ],
     ),
@@ -202,6 +203,48 @@ const PROGRAMS: &[(&str, &[&str])] = &[
         "shapes/surface/counters",
         &["shapes/surface/recipe", "shapes/surface/lattice", "shapes/surface/counters"],
     ),
+    (
+        "shapes/volume/bounds",
+        &[
+            "shapes/puffs/puff",
+            "shapes/volume/recipe",
+            "shapes/volume/grid",
+            "shapes/volume/ball",
+            "shapes/volume/bounds",
+        ],
+    ),
+    (
+        "shapes/volume/matter",
+        &[
+            "gpu/random",
+            "gpu/noise",
+            "shapes/puffs/puff",
+            "shapes/volume/recipe",
+            "shapes/volume/grid",
+            "shapes/volume/ball",
+            "shapes/volume/fbm",
+            "shapes/volume/density",
+            "shapes/volume/matter",
+        ],
+    ),
+    ("shapes/volume/occupied", &["shapes/volume/grid", "shapes/volume/occupied"]),
+    (
+        "shapes/volume/transmit",
+        &["shapes/volume/recipe", "shapes/volume/grid", "light/lights", "shapes/volume/transmit"],
+    ),
+    (
+        "shapes/volume/march",
+        &[
+            "gpu/view",
+            "gpu/fullscreen",
+            "gpu/octahedral",
+            "shapes/volume/recipe",
+            "shapes/volume/grid",
+            "light/lights",
+            "shapes/volume/march",
+        ],
+    ),
+    ("shapes/volume/place", &["gpu/fullscreen", "shapes/volume/place"]),
     (
         "light/casters",
         &[
@@ -465,6 +508,7 @@ const PROGRAMS: &[(&str, &[&str])] = &[
             "tone/compose",
         ],
     ),
+    ("tone/veil", &["gpu/fullscreen", "tone/srgb", "tone/veil"]),
     ("tone/lay", &["gpu/fullscreen", "tone/composing", "tone/under", "tone/lay"]),
     ("tone/lines", &["ink/pen", "tone/composing", "tone/line", "tone/lines"]),
 ];

@@ -19,6 +19,7 @@ mod skins;
 mod step;
 mod subsystem;
 mod surface;
+mod volume;
 mod vortex;
 
 use anyhow::{Context as _, ensure};
@@ -31,10 +32,11 @@ use report::{Report, Row, Table};
 use subsystem::Subsystem;
 
 /// Everything that is measured, in the order of the report.
-const SUBSYSTEMS: [&Subsystem; 7] = [
+const SUBSYSTEMS: [&Subsystem; 8] = [
     &step::STEP,
     &vortex::VORTEX,
     &surface::SURFACE,
+    &volume::VOLUME,
     &draw::DRAW,
     &edges::EDGES,
     &shadows::SHADOWS,

@@ -25,6 +25,12 @@ pub const MAX_LIGHTS: usize = 8;
 /// Most tones in a ramp (Álvarez draws with 32).
 pub const MAX_TONES: usize = 32;
 
+/// Most colours that a volume's puffs choose from.
+pub const MAX_COLOURS: usize = 8;
+
+/// Most bytes that a volume's grids may take.
+pub const MAX_VOLUME_BYTES: u64 = 512 << 20;
+
 /// The least length of a direction. Its square must not underflow in 32 bits.
 pub const MIN_DIRECTION: f32 = 1e-9;
 
@@ -113,6 +119,25 @@ pub const SEGMENTS: Limit = Limit::closed(8.0, 128.0);
 /// Octaves of turbulence and of a surface's noise.
 pub const OCTAVES: Limit = Limit::closed(1.0, 6.0);
 
+/// What matter takes from light, per metre.
+pub const EXTINCTION: Limit = Limit::above(0.0, 1e6);
+/// Shares of a whole of which something must be taken and something left.
+pub const INSIDE: Limit = Limit::open(0.0, 1.0);
+/// Cells of a volume's density along its longest side.
+pub const VOLUME_CELLS: Limit = Limit::closed(8.0, 512.0);
+/// Cells of the light in it.
+pub const LIGHT_CELLS: Limit = Limit::closed(4.0, 256.0);
+/// What multiplies these.
+pub const QUALITY: Limit = Limit::above(0.0, 4.0);
+/// How far noise displaces a puff's surface, in its radii.
+pub const DISPLACEMENT: Limit = Limit::closed(0.0, 10.0);
+/// Bumps to a puff's radius.
+pub const FREQUENCY: Limit = Limit::above(0.0, 100.0);
+/// Octaves of a volume's noise.
+pub const VOLUME_OCTAVES: Limit = Limit::closed(1.0, 8.0);
+/// Each octave's frequency over that of the one before.
+pub const LACUNARITY: Limit = Limit::closed(1.0, 8.0);
+
 /// The range of a number.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limit {
@@ -141,6 +166,11 @@ impl Limit {
         let above = if self.min_excluded { value > self.min } else { value >= self.min };
         let below = if self.max_excluded { value < self.max } else { value <= self.max };
         above && below
+    }
+
+    /// The nearest value that is within closed ends.
+    pub(crate) fn clamped(&self, value: f64) -> f64 {
+        value.clamp(self.min, self.max)
     }
 
     /// What `value`, which is outside, should be; reads on from "must be". A far end that nobody

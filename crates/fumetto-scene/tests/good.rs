@@ -6,9 +6,9 @@ mod common;
 use common::{load, load_with};
 use fumetto_scene::{
     Background, Burst, Colour, Curve, Detail, Ease, EmitterShape, Exaggerate, Force, Given, Gooch, Highlight,
-    Ink, InkMethod, Light, LightKind, Matter, Mesh, Metamorphosis, Morph, Noise, Particle, Puffs, Ramp,
-    RampImage, RampRows, Resolution, Rim, Rings, Scene, SceneText, Shading, Shape, Smoke, Spacing, Style,
-    StyleChoice, Surface, Tone, Transform, Width,
+    Ink, InkMethod, Light, LightKind, Matter, Mesh, Metamorphosis, Morph, Noise, Particle, Profile, Puffs,
+    Ramp, RampImage, RampRows, Resolution, Rim, Rings, Scene, SceneText, Shading, Shape, Smoke, Spacing,
+    Style, StyleChoice, Surface, Tone, Transform, Volume, VolumeNoise, Width,
 };
 
 fn srgb(hex: u32) -> Colour {
@@ -483,4 +483,95 @@ fn a_curves_mean_counts_what_lies_outside_its_points() {
     let curve = Curve { points: vec![[0.2, 1.0], [0.6, 3.0]] };
     assert!((curve.mean() - (0.2 + 0.4 * 2.0 + 0.4 * 3.0)).abs() < 1e-6, "{}", curve.mean());
     assert_eq!((curve.largest(), Curve::constant(2.0).mean()), (3.0, 2.0));
+}
+
+/// The volume `shape` of a ball of radius 1 and one of 0.5, whose middles are 4 m apart.
+fn two_puffs(shape: &str) -> (Volume, Vec<Particle>) {
+    let scene = good(&format!(
+        "format = 1\ncamera = {{ eye = [0, 1, 5], target = [0, 0, 0] }}\n\
+         light = [{{ kind = \"sun\", direction = [0, -1, 0] }}]\n\
+         object = [{{ name = \"a\", kind = \"cloud\", shape = {{ volume = {{ {shape} }} }}, particles = [\n\
+         {{ center = [0, 5, 0], radius = 1 }}, {{ center = [4, 5, 0], radius = 0.5 }} ] }}]"
+    ));
+    let Matter::Still(particles) = &scene.objects[0].matter else { panic!("a still cloud") };
+    (scene.objects[0].shape.volume().unwrap().clone(), particles.clone())
+}
+
+#[test]
+fn every_key_of_a_volume_reaches_it() {
+    let white = Colour { linear: [1.0; 3] };
+    let plain = Volume {
+        extinction_per_m: 4.0,
+        profile: Profile::Constant,
+        edge: 0.0,
+        size: 1.0,
+        noise: None,
+        colours: vec![white],
+        glow: 0.0,
+        soft: 0.0,
+        surface: 0.5,
+        relief: 0.5,
+        cells: 128,
+        light_cells: 64,
+        step_m: None,
+    };
+    assert_eq!(two_puffs("").0, plain);
+    let noise = VolumeNoise {
+        amplitude: 0.4,
+        frequency: 3.0,
+        octaves: 6,
+        persistence: 0.6,
+        lacunarity: 2.5,
+        seed: 8,
+        drift: [0.0, 0.25, 0.0],
+        billow: false,
+    };
+    let other = Volume {
+        extinction_per_m: 9.0,
+        profile: Profile::Linear,
+        edge: 0.25,
+        size: 2.0,
+        noise: Some(noise),
+        colours: vec![Colour { linear: [1.0, 0.5, 0.0] }, white],
+        glow: 0.75,
+        soft: 0.5,
+        surface: 0.25,
+        relief: 1.0,
+        cells: 50,
+        light_cells: 20,
+        step_m: Some(0.125),
+    };
+    let keys = "extinction = 9, profile = \"linear\", edge = 0.25, size = 2, glow = 0.75, soft = 0.5, \
+                surface = 0.25, relief = 1, cells = 100, light_cells = 40, step = 0.125, quality = 0.5, \
+                colours = [[1, 0.5, 0], \"#ffffff\"], noise = { amplitude = 0.4, frequency = 3, octaves = 6, \
+                persistence = 0.6, lacunarity = 2.5, seed = 8, drift = [0, 0.25, 0], billow = false }";
+    assert_eq!(two_puffs(keys).0, other);
+    assert!(other.drifts() && !plain.drifts());
+}
+
+#[test]
+fn a_volumes_grids_fit_its_puffs() {
+    let room = |keys: &str| {
+        let (volume, particles) = two_puffs(keys);
+        volume.room(&particles)
+    };
+    // From -1 to 4.5 along x, 2 m along y and z; 3 cells lie around them.
+    let plain = room("cells = 100, light_cells = 50");
+    assert_eq!((plain.cells, plain.light_cells), ([100, 39, 39], [50, 20, 20]));
+    assert_eq!(plain.bytes(), 100 * 39 * 39 * 12 + 50 * 20 * 20 * 8);
+    // Noise reaches as far again: 7 m by 4 m.
+    assert_eq!(room("cells = 103, noise = { amplitude = 1 }").cells, [103, 61, 61]);
+    assert_eq!(two_puffs("cells = 20").0.moving_room().cells, [20; 3]);
+    assert!(two_puffs("").0.room(&[]).fits(), "nothing is no reason to fail");
+}
+
+#[test]
+fn the_cost_of_a_volume_is_told_beforehand() {
+    let set = [set("object.fire.shape", "{ volume = { cells = 100, light_cells = 50 } }")];
+    let toml = include_str!("good/everything.toml");
+    let text = SceneText { name: "scene.toml", toml, set: &set, style: None };
+    let (scene, _) = load_with(&text, &[]).unwrap();
+    let cost = &scene.requirements()[0];
+    assert_eq!(cost.volume.map(|room| room.bytes()), Some(1_000_000 * 12 + 125_000 * 8));
+    assert_eq!(scene.requirements()[1].volume, None);
 }

@@ -51,13 +51,16 @@ fn is_opaque(object: &Object) -> bool {
     let fades = match &object.matter {
         // What fades from sight has ever less hold on a surface, which itself stays opaque.
         Matter::Smoke(_) if object.shape.surface().is_some() => false,
+        // Of a volume the style's tones are opaque, however much light comes through it.
+        Matter::Smoke(_) if object.shape.volume().is_some() => false,
         Matter::Smoke(smoke) => smoke
             .emitters
             .iter()
             .any(|emitter| emitter.opacity_over_life.points.iter().any(|&[_, opacity]| opacity < 1.0)),
         Matter::Still(_) | Matter::File(_) | Matter::Morph(_) | Matter::Mesh(_) => false,
     };
-    object.opacity >= 1.0 && !fades
+    let is_soft = object.shape.volume().is_some_and(|volume| volume.soft > 0.0);
+    object.opacity >= 1.0 && !fades && !is_soft
 }
 
 /// Where an object roughly is, to order cels by.

@@ -12,6 +12,7 @@ use crate::{
         mesh::Place,
         puffs::Present,
         surface::{Surface, SurfaceSize},
+        volume::Volume,
     },
     tiles::Part,
 };
@@ -31,6 +32,7 @@ pub struct Engine {
     present: Present,
     place: Place,
     surface: Surface,
+    volume: Volume,
     pub(crate) painter: Painter,
 }
 
@@ -70,6 +72,7 @@ impl Engine {
             present: Present::new(&gpu),
             place: Place::new(&gpu),
             surface: Surface::new(&gpu),
+            volume: Volume::new(&gpu),
             painter: Painter::new(&gpu),
             pool: TexturePool::default(),
             gpu,
@@ -134,7 +137,7 @@ impl Engine {
         }
     }
 
-    /// Turns the particles into puffs, puffs into surfaces, and brings models to their places.
+    /// Turns the particles into puffs, puffs into surfaces and volumes, and brings models to their places.
     fn show(&self, player: &mut Player, shown: u32) {
         let secs = player.secs(shown);
         let mut frame = Frame::new(&self.gpu, &self.pool, "shapes.present");
@@ -150,6 +153,7 @@ impl Engine {
             }
         }
         player.surfaces.record(&mut frame, &self.surface, &player.puffs.puffs, (secs, &player.meshes));
+        player.volumes.record(&mut frame, &self.volume, &player.puffs.puffs, secs);
         frame.submit();
     }
 

@@ -5,7 +5,7 @@ use thiserror::Error;
 
 use crate::{
     gpu::GpuError,
-    shapes::{mesh::MeshError, puffs::AtlasError, surface::SurfaceTooLarge},
+    shapes::{mesh::MeshError, puffs::AtlasError, surface::SurfaceTooLarge, volume::VolumeTooLarge},
 };
 
 /// Why a scene cannot be played or drawn.
@@ -35,6 +35,14 @@ pub enum Error {
         object: String,
         /// Which of its lists is too long.
         source: SurfaceTooLarge,
+    },
+    /// A volume is larger than is allowed.
+    #[error("the object `{object}`: {source}")]
+    Volume {
+        /// Its name.
+        object: String,
+        /// How large it is.
+        source: VolumeTooLarge,
     },
     /// The picture is too large to draw at once.
     #[error(

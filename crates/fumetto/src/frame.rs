@@ -16,8 +16,9 @@ use crate::{
     proof::Proof,
     shapes::mesh,
     shapes::puffs::{Body, FRONT, Form, INK, Normal, Occlusion, PuffScene, Pyramid, QUADS, REST, Subject},
+    shapes::volume::{March, VolumeScene},
     tiles::Part,
-    tone::{CEL_FORMAT, Canvas, Compose, Copied, Features, Flat, Inked, Sheet, Sprites, Under},
+    tone::{CEL_FORMAT, Canvas, Compose, Copied, Features, Flat, Inked, Sheet, Sprites, Under, Veil},
 };
 
 /// All passes of a picture.
@@ -27,6 +28,7 @@ pub(crate) struct Painter {
     form: Form,
     meshes: mesh::Body,
     body: Body,
+    march: March,
     normal: Normal,
     shadows: Shadows,
     volumes: Volumes,
@@ -41,6 +43,7 @@ pub(crate) struct Painter {
     flat: Flat,
     sprites: Sprites,
     copied: Copied,
+    veil: Veil,
     compose: Compose,
     room: Option<Room>,
 }
@@ -72,6 +75,7 @@ impl Painter {
             form: Form::new(gpu),
             meshes: mesh::Body::new(gpu),
             body: Body::new(gpu),
+            march: March::new(gpu),
             normal: Normal::new(gpu),
             shadows: Shadows::new(gpu),
             volumes: Volumes::new(gpu),
@@ -86,6 +90,7 @@ impl Painter {
             flat: Flat::new(gpu),
             sprites: Sprites::new(gpu),
             copied: Copied::new(gpu),
+            veil: Veil::new(gpu),
             compose: Compose::new(gpu),
             room: None,
         }
@@ -140,7 +145,8 @@ impl Painter {
         let Player { puffs: scene, meshes, .. } = player;
         let subject = Subject { scene, meshes, view: &view, lights: &lights, pens: &pens };
         let room = self.room.as_ref().expect("setting makes room");
-        let layers = self.fill(&mut frame, subject, room, (&cel.members, setting.view.size), None);
+        let filled = (&player.volumes, &*cel.members, setting.view.size);
+        let layers = self.fill(&mut frame, subject, room, filled, None);
         self.form.record(&mut frame, subject.scene, &cel.members);
         let normal = self.normal.record(&mut frame, subject, &layers, 1);
         let ink = self.ink(&mut frame, subject, &setting, &cel.members, (&layers, None, &room.inks));
@@ -153,8 +159,7 @@ impl Painter {
         let view = View::new(&shot.camera, region);
         self.make_room(gpu, &player.puffs, view.size);
         let scene = player.scene();
-        let shadows = scene.objects.iter().any(|object| object.visible && object.style.shadow.on);
-        let lights = LightsUniform::new(&scene.lights, shadows);
+        let lights = LightsUniform::of(scene);
         let features = Features::of(&scene.objects, !player.meshes.is_empty());
         self.flat.prepare(gpu, features);
         Setting { player, view, lights, features, sheet: Sheet { region, samples: shot.antialias } }
@@ -176,7 +181,8 @@ impl Painter {
         let Player { puffs: scene, meshes, .. } = setting.player;
         let subject = Subject { scene, meshes, view: &view, lights: &lights, pens: &pens };
 
-        let layers = self.fill(frame, subject, room, (&cel.members, setting.view.size), opaque);
+        let filled = (&setting.player.volumes, &*cel.members, setting.view.size);
+        let layers = self.fill(frame, subject, room, filled, opaque);
         let shadow = self.shadow(frame, subject, setting, room, &layers);
         // Where nothing is averaged or half transparent, tones go straight into the picture.
         let own = (setting.sheet.samples > 1 || opaque.is_some())
@@ -186,6 +192,7 @@ impl Painter {
             self.compose.lay(frame, under, setting.sheet, target);
         }
         self.tone(frame, subject, setting, cel, (&layers, &shadow), canvas);
+        let own = own.map(|own| self.veil.record(frame, setting.objects(cel), &layers, own));
         let ink = self.ink(frame, subject, setting, &cel.members, (&layers, opaque, &room.inks));
         let around = self.gather.record(frame, &ink, layers.size, setting.ink_length_px(&cel.members));
         let inked = Inked { ink: &ink, around: &around, known };
@@ -202,11 +209,11 @@ impl Painter {
         frame: &mut Frame<'_>,
         subject: Subject<'_>,
         room: &Room,
-        (members, size): (&[usize], [u32; 2]),
+        (volumes, members, size): (&VolumeScene, &[usize], [u32; 2]),
         nearer: Option<&Layers>,
     ) -> Layers {
         let listing = |mask| Listing { items: subject.scene.count, mask, quads: QUADS };
-        let layers = Layers::new(frame, size);
+        let mut layers = Layers::new(frame, size);
         layers.begin(frame, nearer.map(|nearer| &nearer.depth));
         self.meshes.record(frame, subject, members, layers.target());
         self.occlusion.front(frame, subject, &room.pyramid, &room.flags);
@@ -215,6 +222,7 @@ impl Painter {
         self.occlusion.rest(frame, subject, &room.pyramid, &room.flags, &layers.depth);
         self.compact.record(frame, &room.flags, listing(REST), &room.list);
         self.body.record(frame, subject, &room.list, layers.target());
+        self.march.record(frame, subject, (volumes, members), &mut layers);
         self.occlusion.inks(frame, subject, &room.pyramid, &room.flags, &layers.depth);
         self.compact.record(frame, &room.flags, listing(INK), &room.inks);
         layers
@@ -347,6 +355,11 @@ impl Setting<'_> {
     /// The pens that draw the cel of the objects that `members` numbers.
     fn pens(&self, members: &[usize]) -> [Pen; MAX_PENS] {
         Pen::of_all(&self.player.drawn(), &self.player.details.with(members), self.view.picture_height)
+    }
+
+    /// The objects of a cel.
+    fn objects(&self, cel: &Cel) -> impl Iterator<Item = &Object> {
+        cel.members.iter().map(|&member| &self.player.scene().objects[member])
     }
 
     /// How each object is drawn in a cel.

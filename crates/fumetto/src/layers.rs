@@ -11,12 +11,25 @@ pub(crate) const ID_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::R32Uint;
 /// World-space normal; logarithm to base 2 of the distance in metres.
 pub(crate) const NORMAL_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
 
+/// Of a volume's surface: number of the puff + 1, bits of the depth, octahedral normal, and colour in four bytes.
+pub(crate) const HITS_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba32Uint;
+
+/// How much of each light that throws shadows comes through a volume to its surface.
+pub(crate) const LIGHT_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
+
+/// A volume as a camera would see it: linear, times its opacity.
+pub(crate) const SOFT_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
+
 /// The layers of one cel.
 #[derive(Debug)]
 pub(crate) struct Layers {
     pub(crate) size: [u32; 2],
     pub(crate) depth: Transient,
     pub(crate) id: Transient,
+    /// These three are of volumes, and of one pixel where there is none.
+    pub(crate) hits: Transient,
+    pub(crate) light: Transient,
+    pub(crate) soft: Transient,
 }
 
 impl Layers {
@@ -26,7 +39,17 @@ impl Layers {
             size,
             depth: frame.texture("layers.depth", size, DEPTH_FORMAT),
             id: frame.texture("layers.id", size, ID_FORMAT),
+            hits: frame.texture("layers.hits", [1, 1], HITS_FORMAT),
+            light: frame.texture("layers.light", [1, 1], LIGHT_FORMAT),
+            soft: frame.texture("layers.soft", [1, 1], SOFT_FORMAT),
         }
+    }
+
+    /// Makes room for what volumes fill; it holds nothing sensible yet.
+    pub(crate) fn add_volumes(&mut self, frame: &Frame<'_>) {
+        self.hits = frame.texture("layers.hits", self.size, HITS_FORMAT);
+        self.light = frame.texture("layers.light", self.size, LIGHT_FORMAT);
+        self.soft = frame.texture("layers.soft", self.size, SOFT_FORMAT);
     }
 
     /// Empties the layers; only what lies before the depth `nearer` will be drawn.

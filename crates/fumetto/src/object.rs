@@ -1,6 +1,6 @@
 //! How each object is drawn, as shaders take it.
 
-use fumetto_scene::{EdgeKind, InkMethod, Object, Width, limits};
+use fumetto_scene::{EdgeKind, InkMethod, Object, Shape, Width, limits};
 
 /// `ObjectStyle` of `object.wgsl`.
 #[repr(C)]
@@ -24,7 +24,8 @@ pub(crate) struct ObjectStyle {
     ink_facing: f32,
     ink_crease: f32,
     details: u32,
-    pad: [f32; 2],
+    relief: f32,
+    glow: f32,
 }
 
 /// Objects that there is room for. Also in `object.wgsl`.
@@ -39,12 +40,14 @@ const ANGLE_INK: u32 = 8;
 const IMAGE_INK: u32 = 16;
 const HYBRID_INK: u32 = 32;
 const SHOWS_SHADOWS: u32 = 64;
+const IS_VOLUME: u32 = 128;
 
 /// How an object's lines are found. What suits each shape is, for a surface, to look through the picture: where
-/// lobes meet in a valley, its contours break off.
+/// lobes meet in a valley, its contours break off. A volume has no edges to look along.
 pub(crate) fn ink_method(object: &Object) -> InkMethod {
-    match (object.style.ink.method, object.shape.surface()) {
-        (InkMethod::Hybrid, Some(_)) => InkMethod::Image,
+    match (object.style.ink.method, &object.shape) {
+        (InkMethod::Hybrid, Shape::Surface(_)) => InkMethod::Image,
+        (InkMethod::Hybrid | InkMethod::Vector | InkMethod::Shell, Shape::Volume(_)) => InkMethod::Image,
         (method, _) => method,
     }
 }
@@ -65,7 +68,8 @@ impl ObjectStyle {
             InkMethod::Shell | InkMethod::Vector => 0,
         };
         let flag = |on, bit| if on { bit } else { 0 };
-        // Puffs that are the matter of a surface are never drawn singly.
+        let volume = object.shape.volume();
+        // Puffs that are the matter of a surface or a volume are never drawn singly.
         let has_puffs = object.shape.puffs().is_some();
         let has_outline = has_puffs && style.ink.on && style.ink.silhouette.on;
         Self {
@@ -85,13 +89,15 @@ impl ObjectStyle {
                 | flag(style.ink.on, method)
                 | flag(has_puffs && style.shadow.on && object.visible, THROWS_SHADOW)
                 | flag(has_puffs && in_cel, IN_CEL)
-                | flag(style.shadow.receive, SHOWS_SHADOWS),
+                | flag(style.shadow.receive, SHOWS_SHADOWS)
+                | flag(volume.is_some(), IS_VOLUME),
             form_scale: style.form_scale,
             material: style.material,
             ink_facing: style.ink.facing,
             ink_crease: style.ink.crease_deg.to_radians().cos(),
             details: object.details.len() as u32,
-            pad: [0.0; 2],
+            relief: volume.map_or(0.0, |volume| volume.relief),
+            glow: volume.map_or(0.0, |volume| volume.glow),
         }
     }
 }
@@ -101,5 +107,5 @@ mod tests {
     use super::*;
     use crate::gpu::layout_test;
 
-    layout_test!(lies_as_its_twin: ObjectStyle, "ObjectStyle" of "tone/flat" { ink_width_px, ink_width_m, ink_offset, ink_inner, ink_lit_thinning, form, wrap, opacity, ramp_row, shadow_reach, shadow_start, shadow_size, flags, form_scale, material, ink_facing, ink_crease, details });
+    layout_test!(lies_as_its_twin: ObjectStyle, "ObjectStyle" of "tone/flat" { ink_width_px, ink_width_m, ink_offset, ink_inner, ink_lit_thinning, form, wrap, opacity, ramp_row, shadow_reach, shadow_start, shadow_size, flags, form_scale, material, ink_facing, ink_crease, details, relief, glow });
 }

@@ -17,7 +17,7 @@ struct ObjectStyle {
     shadow_start: f32,
     shadow_size: f32,
     // Bit 0: has ink billboards. Bit 1: throws shadows. Bit 2: is drawn in this cel. Bits 3 to 5: how else
-    // its lines are found. Bit 6: shows shadows.
+    // its lines are found. Bit 6: shows shadows. Bit 7: is a volume.
     flags: u32,
     form_scale: f32,
     // Share of a mesh's own colours.
@@ -28,7 +28,10 @@ struct ObjectStyle {
     ink_crease: f32,
     // Layers of detail inside.
     details: u32,
-    pad: vec2f,
+    // Of a volume: how much its normals count for tones.
+    relief: f32,
+    // Of a volume: light that it gives off by itself.
+    glow: f32,
 }
 
 const HAS_INK: u32 = 1u;
@@ -38,6 +41,7 @@ const ANGLE_INK: u32 = 8u;
 const IMAGE_INK: u32 = 16u;
 const HYBRID_INK: u32 = 32u;
 const SHOWS_SHADOWS: u32 = 64u;
+const IS_VOLUME: u32 = 128u;
 
 // Objects that there is room for.
 const MAX_OBJECTS: u32 = 64u;

@@ -5,14 +5,16 @@ use std::{collections::BTreeMap, ops::Range};
 use fumetto_formats::{Model, ModelOptions, is_sequence, sequence_path};
 use fumetto_scene::{
     Given, Ink, InkMethod, Matter, Mesh, Object, Particle, Puffs, Ramp, RampImage, Scene, Shape, Style,
-    Surface, SurfacePlan,
+    Surface, SurfacePlan, Volume,
 };
+use wgpu::util::DeviceExt as _;
 
 use crate::{
     Assets, Error,
     assets::{load_image, load_model, load_particles},
     details::{Details, Layer},
     gpu::Gpu,
+    light::LightsUniform,
     morph::Tracks,
     object::ObjectStyle,
     particles::Plume,
@@ -20,6 +22,7 @@ use crate::{
         mesh::{Geometry, MeshScene, Shells, candidates},
         puffs::{Atlas, Placement, PuffObject, PuffScene, still_puffs},
         surface::{SurfaceObject, SurfaceScene, peak_of_nothing},
+        volume::{VolumeObject, VolumeScene},
     },
     tone::{Backdrop, Ramps},
 };
@@ -36,6 +39,7 @@ pub struct Player {
     pub(crate) meshes: MeshScene,
     pub(crate) surfaces: SurfaceScene,
     pub(crate) details: Details,
+    pub(crate) volumes: VolumeScene,
     pub(crate) geometry: Geometry,
     pub(crate) ramps: Ramps,
     pub(crate) backdrop: Backdrop,
@@ -112,8 +116,7 @@ impl Player {
                 first: 0,
                 object: index,
                 first_variant: variants[index as usize],
-                // Particles of a surface are never drawn singly.
-                variants: object.shape.puffs().map_or(1, |puffs| puffs.variants),
+                variants: variants_of(&object.shape),
                 size: object.shape.size(),
                 seed: seed_of(&scene, index),
             };
@@ -131,6 +134,7 @@ impl Player {
         }
         let puffs = place(gpu, &scene, &mut objects, atlas)?;
         let surfaces = surfaces(gpu, &scene, &details, &objects)?;
+        let volumes = volumes(gpu, &scene, &objects)?;
         // Layers of detail come after the scene's objects, and throw no shadows.
         let casts =
             |object: u32| scene.objects.get(object as usize).is_some_and(|object| scene.casts(object));
@@ -147,6 +151,7 @@ impl Player {
             meshes,
             surfaces,
             details,
+            volumes,
             geometry,
             ramps,
             backdrop,
@@ -205,7 +210,8 @@ impl Player {
             PlayedMatter::Sequence(..) | PlayedMatter::Morph(_) | PlayedMatter::Smoke(_) => false,
             PlayedMatter::Model(played) => !played.model.is_animated(),
         };
-        if self.objects.iter().all(stands) { 0 } else { self.held(frame) }
+        let drifts = self.scene.objects.iter().filter_map(|object| object.shape.volume()).any(Volume::drifts);
+        if self.objects.iter().all(stands) && !drifts { 0 } else { self.held(frame) }
     }
 
     /// The frame whose state is drawn when `frame` is asked for: every second one on twos.
@@ -227,6 +233,7 @@ impl Player {
             let (_, atlas) = atlas(gpu, &self.scene)?;
             self.puffs = place(gpu, &self.scene, &mut self.objects, atlas)?;
             self.surfaces = surfaces(gpu, &self.scene, &self.details, &self.objects)?;
+            self.volumes = volumes(gpu, &self.scene, &self.objects)?;
             self.upload_still(gpu);
         }
         self.upload_moving(gpu, frame);
@@ -291,11 +298,11 @@ fn atlas(gpu: &Gpu, scene: &Scene) -> Result<(Vec<u32>, Atlas), Error> {
     let mut kinds: Vec<Puffs> = Vec::new();
     let mut firsts = Vec::with_capacity(scene.objects.len());
     for object in &scene.objects {
-        let (Shape::Puffs(puffs), false) = (object.shape, matches!(object.matter, Matter::Mesh(_))) else {
+        let (Shape::Puffs(puffs), false) = (&object.shape, matches!(object.matter, Matter::Mesh(_))) else {
             firsts.push(0);
             continue;
         };
-        let puffs = Puffs { size: 1.0, ..puffs };
+        let puffs = Puffs { size: 1.0, ..*puffs };
         let known = kinds.iter().position(|kind| *kind == puffs).unwrap_or_else(|| {
             kinds.push(puffs);
             kinds.len() - 1
@@ -392,10 +399,52 @@ fn place(gpu: &Gpu, scene: &Scene, objects: &mut [PlayedObject], atlas: Atlas) -
     Ok(PuffScene::new(gpu, atlas, ranges, size_of::<ObjectStyle>() as u64))
 }
 
-/// Normals of puffs bend toward the form, and relief is what stands out from it.
+/// Normals of puffs and volumes bend toward the form, and relief is what stands out from it.
 fn wants_form(object: &Object) -> bool {
-    let bends = object.style.form > 0.0 && object.shape.puffs().is_some();
+    let bends = object.style.form > 0.0 && object.shape.surface().is_none();
     bends || object.style.exaggerate.amount > 0.0
+}
+
+/// How many kinds of puffs an object's particles choose from: bundles of balls, or colours. Particles of a surface
+/// are never drawn singly.
+fn variants_of(shape: &Shape) -> u32 {
+    match shape {
+        Shape::Puffs(puffs) => puffs.variants,
+        Shape::Volume(volume) => volume.colours.len().max(1) as u32,
+        Shape::Surface(_) => 1,
+    }
+}
+
+/// All volumes, of puffs that have their places.
+fn volumes(gpu: &Gpu, scene: &Scene, objects: &[PlayedObject]) -> Result<VolumeScene, Error> {
+    let mut volumes = Vec::new();
+    for (index, (object, played)) in scene.objects.iter().zip(objects).enumerate() {
+        let Some(volume) = object.shape.volume() else { continue };
+        let room = match &played.matter {
+            PlayedMatter::Still(particles) => volume.room(particles),
+            PlayedMatter::Sequence(..) | PlayedMatter::Morph(_) | PlayedMatter::Smoke(_) => {
+                volume.moving_room()
+            }
+            PlayedMatter::Model(_) => continue,
+        };
+        let first = played.placement.first;
+        let volume = VolumeObject {
+            object: index,
+            volume: volume.clone(),
+            room,
+            puffs: first..first + played.capacity,
+            moves: !matches!(played.matter, PlayedMatter::Still(_)),
+            shadows: object.style.shadow.on,
+        };
+        volume.check().map_err(|source| Error::Volume { object: object.name.clone(), source })?;
+        volumes.push(volume);
+    }
+    let lights = gpu.device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
+        label: Some("player.lights"),
+        contents: bytemuck::bytes_of(&LightsUniform::of(scene)),
+        usage: wgpu::BufferUsages::UNIFORM,
+    });
+    Ok(VolumeScene::new(gpu, volumes, lights))
 }
 
 /// Makes room for a surface of an object's `matter` and for the lines that are drawn of it.

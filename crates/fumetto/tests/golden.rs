@@ -167,6 +167,21 @@ fn cloud_transparent_looks_as_it_did() {
 }
 
 #[test]
+fn storm_looks_as_it_did() {
+    check("storm", 0);
+}
+
+#[test]
+fn puff_plain_looks_as_it_did() {
+    check("puff-plain", 0);
+}
+
+#[test]
+fn puff_fuzzy_looks_as_it_did() {
+    check("puff-fuzzy", 0);
+}
+
+#[test]
 fn the_comparison_tells_pictures_apart() {
     let image = |grey: u8, odd: usize| {
         let mut pixels = vec![grey; 4 * 1000];

@@ -16,6 +16,7 @@ mod smoke;
 mod style;
 mod tones;
 mod values;
+mod volume;
 mod vortex;
 
 pub(crate) use at::At;

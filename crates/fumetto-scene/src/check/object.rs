@@ -4,6 +4,7 @@ use super::{
     morph::{given, metamorphosis},
     shape::{details, shape},
     smoke::smoke,
+    volume,
     vortex::few_vortices,
 };
 use crate::file::{ObjectFile, ObjectKind};
@@ -33,6 +34,9 @@ pub(super) fn object(
         style,
         opacity: file.opacity,
     };
+    if let Some(shape) = object.shape.volume() {
+        volume::room(&at.key("shape").key("volume"), shape, &object.matter);
+    }
     let asked = object.capacity(step_secs).unwrap_or(0);
     if asked > MAX_PARTICLES {
         let bytes = asked.saturating_mul(PARTICLE_BYTES) / 1_000_000;

@@ -1,4 +1,4 @@
-use super::{At, ink::ink};
+use super::{At, ink::ink, volume::volume};
 use crate::file::{DetailFile, NoiseFile, PuffsFile, ShapeFile, SurfaceFile};
 use crate::{Detail, Ink, Noise, Puffs, Resolution, Shape, Surface};
 
@@ -7,6 +7,7 @@ const SUBDIVISIONS: u32 = 48;
 
 pub(super) fn shape(at: &At<'_>, file: Option<&ShapeFile>) -> Shape {
     match file {
+        Some(ShapeFile::Volume(file)) => Shape::Volume(volume(&at.key("volume"), file)),
         Some(ShapeFile::Puffs(file)) => Shape::Puffs(puffs(&at.key("puffs"), *file)),
         Some(ShapeFile::Surface(file)) => Shape::Surface(surface(&at.key("surface"), file)),
         None => Shape::Puffs(puffs(&at.key("puffs"), PuffsFile::default())),

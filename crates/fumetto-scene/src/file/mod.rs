@@ -13,6 +13,7 @@ mod style;
 mod surface;
 mod tones;
 mod values;
+mod volume;
 mod vortex;
 
 pub use ink::{CreaseFile, HiddenLinesFile, InkFile, InkMethodFile, PenFile, WidthFile};
@@ -28,4 +29,5 @@ pub use tones::{
     RampRowsFile, RimFile, StepsFile, ToneFile, TonesFile,
 };
 pub use values::{ColourFile, CurveFile, OneOrMany, RangeFile};
+pub use volume::{ProfileFile, VolumeFile, VolumeNoiseFile};
 pub use vortex::{RingsFile, SolverFile, VortexFile};

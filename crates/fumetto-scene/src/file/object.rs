@@ -3,7 +3,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{
     EmitterFile, ForceFile, MorphFile, OneOrMany, SolverFile, StyleFile, SurfaceFile, TransformFile, UpFile,
-    VortexFile,
+    VolumeFile, VortexFile,
 };
 use crate::limits;
 
@@ -110,6 +110,8 @@ pub enum ShapeFile {
     Puffs(PuffsFile),
     /// All particles together become one closed skin.
     Surface(SurfaceFile),
+    /// Every particle is a puff of matter that light goes through; all together are one field.
+    Volume(VolumeFile),
 }
 
 /// Bundles of balls.

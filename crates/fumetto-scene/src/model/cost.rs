@@ -1,7 +1,7 @@
 //! What a scene will cost, told before anything is allocated.
 
 use crate::limits::PARTICLE_BYTES;
-use crate::{Burst, Emitter, Matter, Object, Scene, Surface, SurfaceRoom, Time};
+use crate::{Burst, Emitter, Matter, Object, Scene, Surface, SurfaceRoom, Time, VolumeRoom};
 
 /// What one object will need.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -18,6 +18,8 @@ pub struct ObjectCost {
     pub surface: Option<SurfaceRoom>,
     /// Likewise for its layers of detail.
     pub details: Vec<SurfaceRoom>,
+    /// Room for its volume; `None` likewise.
+    pub volume: Option<VolumeRoom>,
 }
 
 impl Scene {
@@ -32,7 +34,16 @@ impl Scene {
             let surface = object.shape.surface().and_then(room);
             let details = object.details.iter().filter_map(|detail| room(&detail.surface)).collect();
             let vortices = object.vortices(step_secs);
-            ObjectCost { name: object.name.clone(), particles, state_bytes, vortices, surface, details }
+            let volume = object.volume_room();
+            ObjectCost {
+                name: object.name.clone(),
+                particles,
+                state_bytes,
+                vortices,
+                surface,
+                details,
+                volume,
+            }
         };
         self.objects.iter().map(cost).collect()
     }
@@ -92,6 +103,15 @@ impl Object {
                 let sets: Option<Vec<_>> = morph.all().map(crate::Given::listed).collect();
                 sets.map(|sets| surface.plan_morph(&sets).room)
             }
+            Matter::File(_) | Matter::Mesh(_) => None,
+        }
+    }
+
+    fn volume_room(&self) -> Option<VolumeRoom> {
+        let volume = self.shape.volume()?;
+        match &self.matter {
+            Matter::Still(particles) => Some(volume.room(particles)),
+            Matter::Smoke(_) | Matter::Morph(_) => Some(volume.moving_room()),
             Matter::File(_) | Matter::Mesh(_) => None,
         }
     }

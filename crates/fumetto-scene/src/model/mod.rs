@@ -20,6 +20,8 @@ mod style;
 mod surface;
 mod surface_plan;
 mod tones;
+mod volume;
+mod volume_plan;
 mod vortex;
 
 pub use camera::Camera;
@@ -42,4 +44,6 @@ pub use style::{Shading, Shadow, Style};
 pub use surface::{Detail, Noise, Resolution, Surface};
 pub use surface_plan::{Spacing, SurfacePlan, SurfaceRoom};
 pub use tones::{Exaggerate, Gooch, Highlight, Ramp, RampImage, RampRows, Rim, Tone};
+pub use volume::{Profile, Volume, VolumeNoise};
+pub use volume_plan::VolumeRoom;
 pub use vortex::{Rings, Vortex};

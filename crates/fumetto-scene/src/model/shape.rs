@@ -1,12 +1,14 @@
-use crate::{Puffs, Surface};
+use crate::{Puffs, Surface, Volume};
 
 /// How particles get a shape.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Shape {
     /// Every particle is a billboard of its own.
     Puffs(Puffs),
     /// All particles together have one skin.
     Surface(Surface),
+    /// All particles together are a field of matter that light goes through.
+    Volume(Volume),
 }
 
 impl Shape {
@@ -16,6 +18,7 @@ impl Shape {
         match self {
             Self::Puffs(puffs) => puffs.size,
             Self::Surface(surface) => surface.size,
+            Self::Volume(volume) => volume.size,
         }
     }
 
@@ -24,7 +27,7 @@ impl Shape {
     pub fn puffs(&self) -> Option<&Puffs> {
         match self {
             Self::Puffs(puffs) => Some(puffs),
-            Self::Surface(_) => None,
+            Self::Surface(_) | Self::Volume(_) => None,
         }
     }
 
@@ -33,7 +36,16 @@ impl Shape {
     pub fn surface(&self) -> Option<&Surface> {
         match self {
             Self::Surface(surface) => Some(surface),
-            Self::Puffs(_) => None,
+            Self::Puffs(_) | Self::Volume(_) => None,
+        }
+    }
+
+    /// The volume, if it is one.
+    #[must_use]
+    pub fn volume(&self) -> Option<&Volume> {
+        match self {
+            Self::Volume(volume) => Some(volume),
+            Self::Puffs(_) | Self::Surface(_) => None,
         }
     }
 }

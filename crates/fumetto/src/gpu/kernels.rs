@@ -12,34 +12,45 @@ pub(crate) enum Slot {
     Write,
     /// A 3-D texture of half floats that is written.
     WriteTexture3d,
+    /// A 3-D texture of whole numbers that is written.
+    WriteIds3d,
     /// A depth texture that is read.
     Depth,
     /// A texture of floats that is read.
     Texture,
+    /// A 3-D texture of floats that is read.
+    Texture3d,
     /// A sampler that does not filter.
     Nearest,
+    /// A sampler that does.
+    Linear,
 }
 
 impl Slot {
     fn binding_type(self) -> wgpu::BindingType {
         let buffer = |ty| wgpu::BindingType::Buffer { ty, has_dynamic_offset: false, min_binding_size: None };
-        let texture = |sample_type| wgpu::BindingType::Texture {
+        let texture = |sample_type, view_dimension| wgpu::BindingType::Texture {
             sample_type,
-            view_dimension: wgpu::TextureViewDimension::D2,
+            view_dimension,
             multisampled: false,
         };
+        let written = |format| wgpu::BindingType::StorageTexture {
+            access: wgpu::StorageTextureAccess::WriteOnly,
+            format,
+            view_dimension: wgpu::TextureViewDimension::D3,
+        };
+        let floats = wgpu::TextureSampleType::Float { filterable: true };
         match self {
             Self::Uniform => buffer(wgpu::BufferBindingType::Uniform),
             Self::Read => buffer(wgpu::BufferBindingType::Storage { read_only: true }),
             Self::Write => buffer(wgpu::BufferBindingType::Storage { read_only: false }),
-            Self::Depth => texture(wgpu::TextureSampleType::Depth),
+            Self::Depth => texture(wgpu::TextureSampleType::Depth, wgpu::TextureViewDimension::D2),
             Self::Nearest => wgpu::BindingType::Sampler(wgpu::SamplerBindingType::NonFiltering),
-            Self::Texture => texture(wgpu::TextureSampleType::Float { filterable: true }),
-            Self::WriteTexture3d => wgpu::BindingType::StorageTexture {
-                access: wgpu::StorageTextureAccess::WriteOnly,
-                format: wgpu::TextureFormat::Rgba16Float,
-                view_dimension: wgpu::TextureViewDimension::D3,
-            },
+            Self::Linear => wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering),
+            Self::Texture => texture(floats, wgpu::TextureViewDimension::D2),
+            Self::Texture3d => texture(floats, wgpu::TextureViewDimension::D3),
+            Self::WriteTexture3d => written(wgpu::TextureFormat::Rgba16Float),
+            Self::WriteIds3d => written(wgpu::TextureFormat::R32Uint),
         }
     }
 }

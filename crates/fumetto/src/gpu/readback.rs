@@ -2,7 +2,7 @@ use std::ops::Range;
 
 use super::{Gpu, GpuError};
 
-/// Reads a whole texture of one mip level back, rows packed without padding.
+/// Reads a whole texture of one mip level back, rows packed without padding, layer after layer.
 ///
 /// For export only: it waits for the device.
 ///
@@ -16,9 +16,10 @@ pub fn read_texture(gpu: &Gpu, texture: &wgpu::Texture) -> Result<Vec<u8>, GpuEr
         .ok_or_else(|| GpuError::Lost(format!("{:?} textures cannot be read back", texture.format())))?;
     let row = size.width * texel;
     let padded = row.next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
+    let rows = u64::from(size.height) * u64::from(size.depth_or_array_layers);
     let staging = gpu.device.create_buffer(&wgpu::BufferDescriptor {
         label: Some("gpu.readback"),
-        size: u64::from(padded) * u64::from(size.height),
+        size: u64::from(padded) * rows,
         usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
         mapped_at_creation: false,
     });
@@ -31,14 +32,14 @@ pub fn read_texture(gpu: &Gpu, texture: &wgpu::Texture) -> Result<Vec<u8>, GpuEr
             layout: wgpu::TexelCopyBufferLayout {
                 offset: 0,
                 bytes_per_row: Some(padded),
-                rows_per_image: None,
+                rows_per_image: Some(size.height),
             },
         },
         size,
     );
     gpu.queue.submit([encoder.finish()]);
     let bytes = read_mapped(gpu, &staging)?;
-    let mut packed = Vec::with_capacity(row as usize * size.height as usize);
+    let mut packed = Vec::with_capacity(row as usize * rows as usize);
     for line in bytes.chunks_exact(padded as usize) {
         packed.extend_from_slice(&line[..row as usize]);
     }

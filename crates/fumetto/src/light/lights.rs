@@ -1,4 +1,4 @@
-use fumetto_scene::{Light, LightKind};
+use fumetto_scene::{Light, LightKind, Scene};
 use glam::Vec3;
 
 /// Lights in a scene. Also in `lights.wgsl`.
@@ -27,6 +27,12 @@ struct LightUniform {
 }
 
 impl LightsUniform {
+    /// The lights of `scene`.
+    pub(crate) fn of(scene: &Scene) -> Self {
+        let shadows = scene.objects.iter().any(|object| object.visible && object.style.shadow.on);
+        Self::new(&scene.lights, shadows)
+    }
+
     /// The first few lights that throw shadows get a channel each, in the scene's order; `shadows` is
     /// whether anything throws any.
     pub(crate) fn new(lights: &[Light], shadows: bool) -> Self {

@@ -3,3 +3,4 @@
 pub(crate) mod mesh;
 pub(crate) mod puffs;
 pub(crate) mod surface;
+pub(crate) mod volume;

@@ -97,6 +97,8 @@ impl Flat {
                 form.grids.as_entire_binding(),
                 wgpu::BindingResource::TextureView(&form.view),
                 ramps.tones.as_entire_binding(),
+                wgpu::BindingResource::TextureView(&layers.hits),
+                wgpu::BindingResource::TextureView(&layers.light),
             ],
         );
     }

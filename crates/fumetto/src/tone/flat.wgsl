@@ -15,6 +15,9 @@ override HAS_RIM: bool = false;
 override HAS_EXAGGERATION: bool = false;
 override HAS_STEPS: bool = false;
 
+// Whether any pixel may show a volume.
+override HAS_VOLUMES: bool = false;
+
 struct Sampling {
     // Pixels of the picture to one texel of the normal layer.
     step: i32,
@@ -42,6 +45,8 @@ struct Sampling {
 @group(0) @binding(18) var<storage, read> grids: array<FormGrid>;
 @group(0) @binding(19) var form_field: texture_3d<f32>;
 @group(0) @binding(20) var<uniform> tones: array<ToneStyle, MAX_OBJECTS>;
+@group(0) @binding(21) var hits: texture_2d<u32>;
+@group(0) @binding(22) var light_layer: texture_2d<f32>;
 
 // The normal between the layer's texels, from those that lie about as deep.
 fn normal_at(px: vec2i, distance: f32) -> vec3f {
@@ -78,6 +83,8 @@ struct Seen {
     weights: vec3f,
     part: u32,
     side: f32,
+    // Of a volume: how much of each light that throws shadows comes through it.
+    through: vec4f,
 }
 
 fn seen_at(id: u32, px: vec2i, distance: f32) -> Seen {
@@ -100,7 +107,17 @@ fn seen_at(id: u32, px: vec2i, distance: f32) -> Seen {
     seen.opacity = puff_fade(puff).y;
     seen.normal = normal / max(length(normal), 1e-6);
     seen.colour = vec3f(1.0);
+    if is_volume(seen.object) {
+        let colour = unpack4x8unorm(textureLoad(hits, px, 0).w).rgb;
+        seen.opacity = 1.0;
+        seen.colour = mix(vec3f(1.0), colour, styles[seen.object].material);
+        seen.through = textureLoad(light_layer, px, 0);
+    }
     return seen;
+}
+
+fn is_volume(object: u32) -> bool {
+    return HAS_VOLUMES && (styles[object].flags & IS_VOLUME) != 0u;
 }
 
 // A mesh's own colour, as its style takes it.
@@ -123,7 +140,11 @@ struct Sight {
 fn amount_of(number: u32, seen: Seen, at: Sight, toward_light: vec3f) -> f32 {
     let light = lights.light[number];
     let wrap = select(styles[seen.object].wrap, 1.0, HAS_GOOCH && tones[seen.object].is_gooch != 0u);
-    let plain = diffuse(light, seen.normal, toward_light, wrap);
+    var plain = diffuse(light, seen.normal, toward_light, wrap);
+    if is_volume(seen.object) {
+        let through = select(1.0, seen.through[max(light.channel, 0)], light.channel >= 0);
+        plain = through * mix(light.intensity, plain, styles[seen.object].relief);
+    }
     if HAS_EXAGGERATION && number == 0u && tones[seen.object].exaggerate_amount > 0.0 {
         let relief = light.intensity * exaggerated(seen, at, toward_light, tones[seen.object]);
         return mix(plain, relief, tones[seen.object].exaggerate_amount);
@@ -149,7 +170,7 @@ fn colour_of(seen: Seen, at: Sight, amount: f32, shine: f32) -> vec3f {
     }
     let colour = ramp_colour(ramps, amount, row);
     // White leaves a picked tone exactly as it is.
-    if HAS_MESHES && any(abs(seen.colour - 1.0) > vec3f(1e-3)) {
+    if (HAS_MESHES || HAS_VOLUMES) && any(abs(seen.colour - 1.0) > vec3f(1e-3)) {
         return encoded(decoded(colour) * seen.colour);
     }
     return colour;
@@ -168,7 +189,7 @@ fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let at = Sight(position.xy, distance, place, normalize(view.world_from_view[3].xyz - place));
     let shadow = textureSampleLevel(shadows, linear, position.xy / view.size_px, 0.0);
     let shows_shadows = (styles[seen.object].flags & SHOWS_SHADOWS) != 0u;
-    var amount = 0.0;
+    var amount = select(0.0, styles[seen.object].glow, HAS_VOLUMES);
     var shine = 0.0;
     for (var i = 0u; i < lights.count; i++) {
         let light = lights.light[i];

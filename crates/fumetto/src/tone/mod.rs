@@ -8,6 +8,7 @@ mod flat;
 mod ramps;
 mod sprites;
 mod tones;
+mod veil;
 
 pub(crate) use backdrop::Backdrop;
 pub(crate) use canvas::Canvas;
@@ -17,3 +18,4 @@ pub(crate) use flat::{CEL_FORMAT, Flat};
 pub(crate) use ramps::Ramps;
 pub(crate) use sprites::{MAX_OBJECTS, Sprites};
 pub(crate) use tones::Features;
+pub(crate) use veil::Veil;

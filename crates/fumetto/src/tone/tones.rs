@@ -104,7 +104,7 @@ pub(crate) struct Features(u32);
 
 impl Features {
     /// The shader's constants, bit by bit.
-    const CONSTANTS: [&str; 8] = [
+    const CONSTANTS: [&str; 9] = [
         "HAS_MESHES",
         "HAS_ROWS",
         "HAS_GOOCH",
@@ -112,6 +112,7 @@ impl Features {
         "HAS_RIM",
         "HAS_EXAGGERATION",
         "HAS_STEPS",
+        "HAS_VOLUMES",
         "IS_PICTURE",
     ];
 
@@ -129,6 +130,7 @@ impl Features {
             any(|object| object.style.rim.on),
             any(|object| object.style.exaggerate.amount > 0.0),
             has_meshes && any(|object| object.style.material_steps > 0),
+            any(|object| object.shape.volume().is_some()),
         ];
         Self((0..).zip(needs).map(|(bit, is_needed)| u32::from(is_needed) << bit).sum())
     }

@@ -23,3 +23,4 @@ mod surface_lines;
 mod surface_shadows;
 mod surfaces;
 mod time;
+mod volumes;

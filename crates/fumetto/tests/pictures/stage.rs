@@ -92,6 +92,11 @@ impl Stage {
         self.shaped(name, particles, &format!("surface = {{ {shape} }}"), more)
     }
 
+    /// Adds a volume of `[x, y, z, radius]` particles.
+    pub(crate) fn volume(self, name: &str, particles: &[[f32; 4]], shape: &str, more: &str) -> Self {
+        self.shaped(name, particles, &format!("volume = {{ {shape} }}"), more)
+    }
+
     fn shaped(mut self, name: &str, puffs: &[[f32; 4]], shape: &str, more: &str) -> Self {
         let list: Vec<_> = puffs
             .iter()

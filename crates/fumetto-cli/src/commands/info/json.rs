@@ -55,6 +55,9 @@ fn object_json(object: &Object, load: &Load) -> Value {
         "triangles": load.triangles,
         "surface": load.surface.map(|room| json!({ "triangles": room.triangles, "bytes": load.surface_bytes() })),
         "details": load.details.iter().map(detail).collect::<Vec<_>>(),
+        "volume": load.volume.map(|room| json!({
+            "cells": room.cells, "light_cells": room.light_cells, "bytes": room.bytes(),
+        })),
         "bytes": load.bytes(),
         "style": style_json(&object.style),
     })

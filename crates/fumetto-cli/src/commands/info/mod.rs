@@ -10,7 +10,8 @@ use fumetto::{Assets as _, Tiling};
 use fumetto_formats::{ModelOptions, is_sequence, read_model, read_particles, sequence_path};
 use fumetto_scene::limits::PARTICLE_BYTES;
 use fumetto_scene::{
-    Background, Given, Light, LightKind, Matter, Object, Particle, Scene, Surface, SurfaceRoom, vortex_bytes,
+    Background, Given, Light, LightKind, Matter, Object, Particle, Scene, Surface, SurfaceRoom, VolumeRoom,
+    vortex_bytes,
 };
 
 use crate::args::InfoArgs;
@@ -45,6 +46,8 @@ struct Load {
     casts: bool,
     /// Room for the layers of detail in it.
     details: Vec<SurfaceRoom>,
+    /// Room for a volume's grids.
+    volume: Option<VolumeRoom>,
 }
 
 impl Load {
@@ -56,7 +59,11 @@ impl Load {
         };
         let surface = object.shape.surface().map(room);
         let details = object.details.iter().map(|detail| room(&detail.surface)).collect();
-        Self { particles: particles.len() as u64, surface, details, ..Self::default() }
+        let volume = object
+            .shape
+            .volume()
+            .map(|volume| if is_sequence(path) { volume.moving_room() } else { volume.room(particles) });
+        Self { particles: particles.len() as u64, surface, details, volume, ..Self::default() }
     }
 
     /// Bytes of the surface, and of what it throws shadows with.
@@ -70,16 +77,19 @@ impl Load {
         let sets: Vec<&[Particle]> = sets.iter().map(Vec::as_slice).collect();
         let room = object.shape.surface().map(|surface| surface.plan_morph(&sets).room);
         let particles = sets.iter().map(|set| set.len() as u64).sum();
-        Self { particles, surface: room, ..Self::default() }
+        let volume = object.shape.volume().map(fumetto_scene::Volume::moving_room);
+        Self { particles, surface: room, volume, ..Self::default() }
     }
 
     fn bytes(&self) -> u64 {
         let details =
             self.details.iter().map(SurfaceRoom::bytes).fold(self.surface_bytes(), u64::saturating_add);
+        let volume = self.volume.map_or(0, |room| room.bytes());
         self.particles
             .saturating_mul(PARTICLE_BYTES)
             .saturating_add(vortex_bytes(self.vortices))
             .saturating_add(details)
+            .saturating_add(volume)
     }
 }
 
@@ -115,6 +125,7 @@ fn loads(scene: &Scene, folder: &SceneFolder) -> anyhow::Result<Vec<Load>> {
                 vortices: cost.vortices,
                 surface: cost.surface,
                 details: cost.details,
+                volume: cost.volume,
                 ..Load::default()
             })
         }

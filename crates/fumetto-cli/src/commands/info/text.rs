@@ -2,7 +2,7 @@
 
 use fumetto_formats::is_sequence;
 use fumetto_scene::limits::PARTICLE_BYTES;
-use fumetto_scene::{Light, Matter, Object, Ramp, Scene, Style, Width, vortex_bytes};
+use fumetto_scene::{Light, Matter, Object, Ramp, Scene, Style, VolumeRoom, Width, vortex_bytes};
 use indicatif::{BinaryBytes, HumanCount};
 
 use super::{Load, background, duration_secs, hex, is_by_tiles, light_kind, sum};
@@ -36,6 +36,7 @@ pub(super) fn of(name: &str, scene: &Scene, loads: &[Load]) -> String {
         let surface = load.surface.map(|room| surface_words("surface", room.triangles, load.surface_bytes()));
         lines.extend(surface);
         lines.extend(load.details.iter().map(|room| surface_words("detail", room.triangles, room.bytes())));
+        lines.extend(load.volume.as_ref().map(volume_words));
         lines.push(format!("    style     {}", style_words(&object.style)));
     }
     let sum = sum(loads);
@@ -59,6 +60,11 @@ fn vortex_words(vortices: u64) -> Option<String> {
 fn surface_words(what: &str, triangles: u32, bytes: u64) -> String {
     let (triangles, bytes) = (HumanCount(triangles.into()), BinaryBytes(bytes));
     format!("    {what:<9} at most {triangles} triangles, {bytes} on the GPU")
+}
+
+fn volume_words(room: &VolumeRoom) -> String {
+    let ([x, y, z], [a, b, c], bytes) = (room.cells, room.light_cells, BinaryBytes(room.bytes()));
+    format!("    volume    {x} x {y} x {z} cells, {a} x {b} x {c} of light, {bytes} on the GPU")
 }
 
 fn cost(particles: u64, bytes: u64) -> String {

@@ -63,6 +63,7 @@ impl Normal {
                 wgpu::BindingResource::TextureView(&form.view),
                 wgpu::BindingResource::TextureView(&layers.id),
                 wgpu::BindingResource::TextureView(&layers.depth),
+                wgpu::BindingResource::TextureView(&layers.hits),
             ],
         );
         normal

@@ -1,4 +1,5 @@
-// Fills the normal layer from the id layer: the puff's own normal, bent toward the form of the cloud.
+// Fills the normal layer from the id layer: the puff's own normal, or that of a volume's surface, bent toward
+// the form of the cloud.
 // Also keeps the distance, as a logarithm so that half floats hold it to a thousandth, for passes that
 // must not mix what lies far apart.
 
@@ -22,6 +23,7 @@ struct Sampling {
 @group(0) @binding(8) var form_field: texture_3d<f32>;
 @group(0) @binding(9) var id_layer: texture_2d<u32>;
 @group(0) @binding(10) var depth_layer: texture_depth_2d;
+@group(0) @binding(11) var hits: texture_2d<u32>;
 
 @fragment
 fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
@@ -44,7 +46,10 @@ fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let texel = textureSampleLevel(atlas_texture, linear, uv, 0.0);
     let flat_normal = screen_from_puff(texel_normal(texel), rotation);
     let own = vec3f(flat_normal, sqrt(max(1.0 - dot(flat_normal, flat_normal), 0.0)));
-    let own_world = (view.world_from_view * vec4f(own, 0.0)).xyz;
+    var own_world = (view.world_from_view * vec4f(own, 0.0)).xyz;
+    if (styles[object].flags & IS_VOLUME) != 0u {
+        own_world = octahedral_unpacked(textureLoad(hits, at, 0).z);
+    }
     let distance = distance_of(textureLoad(depth_layer, at, 0));
     let place = (view.world_from_view * vec4f(ray_of(px) * distance, 1.0)).xyz;
     let bent = mix(own_world, form_at(place, object), form);

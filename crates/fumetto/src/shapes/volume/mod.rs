@@ -1,0 +1,38 @@
+//! Volumes: matter that light goes through, after Tessendorf's pyroclastic puffs as Normoyle renders them.
+//!
+//! ```text
+//! puffs ─▶ bounds ─▶ matter ───▶ occupied ─▶ transmit ──▶ march ─▶ hits ─▶ depth, id, normal ─▶ tones, ink
+//!          grid      density,    blocks      how much      rays       └▶ soft ─▶ veil over the tones
+//!          around    colour,     with        of each       of one
+//!          them      owner       matter      light         picture
+//!                                            comes
+//!                                            through
+//! ```
+//!
+//! All up to the light happens on the GPU when matter changes, and what stands still is made but once; only rays
+//! are followed anew for each picture.
+//!
+//! **A grid, not puffs along the ray.** A step that asks every puff near it for its noise costs, with thirty
+//! puffs of five octaves, a thousand times what a sample of a texture does, and light asks as often as the eye.
+//! A cell is worked out once, from the puffs that touch its workgroup. What is finer than a cell is lost; with
+//! 128 cells to an object that fills a picture 720 pixels high, that is finer than a line of ink is wide.
+//! Memory is dense, and what is seen of it is not: rays leap over blocks of 8³ cells without matter.
+//!
+//! **The march knows no puffs.** Its input is a [`Field`]: density and colour in a grid, who owns which cell, and
+//! which blocks hold anything. A field that comes from a file would be marched as it is.
+//!
+//! **One renderer.** What is drawn flat is the same march: where the opacity along a ray reaches a threshold lies
+//! the surface, and the light that was gathered before it is what tones quantise.
+
+mod field;
+mod march;
+mod recipe;
+mod scene;
+#[cfg(test)]
+mod tests;
+mod volume;
+
+pub(crate) use field::Field;
+pub(crate) use march::March;
+pub(crate) use scene::{VolumeObject, VolumeScene, VolumeTooLarge};
+pub(crate) use volume::Volume;

@@ -1,0 +1,124 @@
+//! Volumes among other things, and in a style.
+
+use std::collections::BTreeSet;
+
+use crate::stage::{BACKGROUND, DISTANCE, Files, PX_PER_METRE, Picture, Rgb, SIDE, Stage, style};
+
+const MIDDLE: u32 = SIDE / 2;
+
+/// A white wall that faces the camera at z = 0, larger than the picture.
+const WALL: &str = "v -9 -9 0\nv 9 -9 0\nv 9 9 0\nv -9 9 0\nf 1 2 3 4\n";
+
+/// Dark matter of extinction 0.5 in a ball, soft.
+fn dark(particles: &[[f32; 4]]) -> Stage {
+    Stage::default().volume(
+        "dark",
+        particles,
+        "soft = 1, extinction = 0.5, colours = [[0, 0, 0]], cells = 96",
+        "",
+    )
+}
+
+fn files() -> Files {
+    Files::default().with("wall.obj", WALL)
+}
+
+/// Share of white that is left at the middle.
+fn left(picture: &Picture) -> f32 {
+    let srgb = f32::from(picture.rgb(MIDDLE, MIDDLE)[0]) / 255.0;
+    if srgb <= 0.04045 { srgb / 12.92 } else { ((srgb + 0.055) / 1.055).powf(2.4) }
+}
+
+fn assert_close(actual: f32, expected: f32) {
+    assert!((actual - expected).abs() < 0.02, "{actual}, should be {expected}");
+}
+
+#[test]
+fn rays_end_at_what_is_solid() {
+    let wall = |z: f32| {
+        let place = format!("transform = {{ position = [0, 0, {z}] }}");
+        dark(&[[0.0, 0.0, 0.0, 2.0]]).mesh("wall", "wall.obj", &place).picture_with(files())
+    };
+    assert_close(left(&wall(3.0)), 1.0);
+    assert_close(left(&wall(1.0)), (-0.5_f32).exp());
+    assert_close(left(&wall(0.0)), (-1.0_f32).exp());
+    assert_close(left(&wall(-3.0)), (-2.0_f32).exp());
+}
+
+#[test]
+fn puffs_hide_what_lies_behind_them() {
+    let picture = dark(&[[0.0, 0.0, -4.0, 2.0]]).balls("ball", &[[0.0, 0.0, 0.0, 2.0]], "").picture();
+    assert_eq!(picture.rgb(MIDDLE, MIDDLE), [0xff; 3]);
+}
+
+#[test]
+fn the_camera_may_stand_inside() {
+    let stage = dark(&[[0.0, 0.0, DISTANCE, 2.0]]).mesh("wall", "wall.obj", "");
+    assert_close(left(&stage.picture_with(files())), (-1.0_f32).exp());
+}
+
+#[test]
+fn nothing_but_matter_is_left_where_nothing_lies_behind() {
+    let mut stage = dark(&[[0.0, 0.0, 0.0, 2.0]]);
+    stage.background = String::new();
+    let alpha = f32::from(stage.picture().rgba(MIDDLE, MIDDLE)[3]) / 255.0;
+    assert_close(alpha, 1.0 - (-2.0_f32).exp());
+    assert_eq!(stage.picture().rgba(0, 0), [0; 4]);
+}
+
+const TONES: [Rgb; 3] = [[0x30, 0x30, 0x40], [0x90, 0x90, 0xa0], [0xf0, 0xe0, 0xd0]];
+const INK: Rgb = [0x10, 0x20, 0x30];
+
+/// Lumps in three tones, lit from above.
+fn drawn(volume: &str, more: &str) -> Picture {
+    let light = "kind = \"sun\", direction = [0.3, -1, -0.4]".into();
+    let style = style(&["#303040", "#9090a0", "#f0e0d0"], more);
+    let noise = "noise = { amplitude = 0.4, frequency = 2 }";
+    let puffs = [[-1.0, 0.0, 0.0, 1.2], [1.0, 0.2, 0.0, 1.4]];
+    let shape = format!("extinction = 3, cells = 64, {noise}, {volume}");
+    Stage { light, style, ..Stage::default() }.volume("cloud", &puffs, &shape, "").picture()
+}
+
+#[test]
+fn a_drawn_volume_has_no_colours_but_those_of_its_style() {
+    let picture = drawn("soft = 0", "shadow = { on = true }");
+    let expected: BTreeSet<Rgb> = TONES.into_iter().chain([BACKGROUND]).collect();
+    assert_eq!(picture.colours(), expected, "all three tones and what lies behind");
+    let inked = drawn("soft = 0", "shadow = { on = true }, ink = { on = true, colour = \"#102030\" }");
+    assert_eq!(inked.colours(), expected.into_iter().chain([INK]).collect());
+    assert!(inked.count(INK) > 1000, "there is a contour all round");
+}
+
+#[test]
+fn soft_volumes_have_shades_in_between() {
+    let count = |volume: &str| drawn(volume, "shadow = { on = true }").colours().len();
+    assert!(count("soft = 1") > 50);
+    assert!(count("soft = 0.5") > 50);
+}
+
+#[test]
+fn light_dies_on_its_way_through() {
+    let picture = drawn("soft = 1", "shadow = { on = true }");
+    let [above, below] = [-1.0, 1.0].map(|metres: f32| {
+        let y = MIDDLE as f32 + metres * PX_PER_METRE;
+        u32::from(picture.rgb((MIDDLE as f32 - PX_PER_METRE) as u32, y as u32)[0])
+    });
+    assert!(above > 2 * below, "{above} toward the light, {below} away from it");
+}
+
+#[test]
+fn the_drawn_surface_lies_where_the_opacity_says() {
+    // A ray down the middle of a ball is opaque to a half after ln 2 / extinction metres.
+    let shape = |surface: f32| format!("extinction = 0.5, cells = 96, surface = {surface}");
+    let hidden = |surface: f32, z: f32| {
+        let stage = Stage { style: style(&["#f0e0d0"], ""), ..Stage::default() };
+        let stage = stage.volume("fog", &[[0.0, 0.0, 0.0, 2.0]], &shape(surface), "");
+        let wall = format!("transform = {{ position = [0, 0, {z}] }}\nstyle = {{ tones = [\"#000000\"] }}");
+        stage.mesh("wall", "wall.obj", &wall).picture_with(files()).rgb(MIDDLE, MIDDLE) != [0; 3]
+    };
+    let deep = |opacity: f32| 2.0 + (1.0 - opacity).ln() / 0.5;
+    for surface in [0.3, 0.5, 0.8_f32] {
+        assert!(hidden(surface, deep(surface) - 0.06), "{surface}");
+        assert!(!hidden(surface, deep(surface) + 0.06), "{surface}");
+    }
+}
