@@ -2,21 +2,25 @@
 
 use std::collections::BTreeSet;
 
-use crate::stage::{BACKGROUND, DISTANCE, Files, PX_PER_METRE, Picture, Rgb, SIDE, Stage, style};
+use crate::stage::{BACKGROUND, DISTANCE, Files, Picture, Rgb, Stage, style};
+
+/// Sides of the picture.
+const SIDE: u32 = 128;
 
 const MIDDLE: u32 = SIDE / 2;
+
+const PX_PER_METRE: f32 = SIDE as f32 / DISTANCE;
 
 /// A white wall that faces the camera at z = 0, larger than the picture.
 const WALL: &str = "v -9 -9 0\nv 9 -9 0\nv 9 9 0\nv -9 9 0\nf 1 2 3 4\n";
 
+fn stage() -> Stage {
+    Stage { output: format!("size = [{SIDE}, {SIDE}], antialias = 1"), ..Stage::default() }
+}
+
 /// Dark matter of extinction 0.5 in a ball, soft.
 fn dark(particles: &[[f32; 4]]) -> Stage {
-    Stage::default().volume(
-        "dark",
-        particles,
-        "soft = 1, extinction = 0.5, colours = [[0, 0, 0]], cells = 96",
-        "",
-    )
+    stage().volume("dark", particles, "soft = 1, extinction = 0.5, colours = [[0, 0, 0]], cells = 96", "")
 }
 
 fn files() -> Files {
@@ -76,7 +80,7 @@ fn drawn(volume: &str, more: &str) -> Picture {
     let noise = "noise = { amplitude = 0.4, frequency = 2 }";
     let puffs = [[-1.0, 0.0, 0.0, 1.2], [1.0, 0.2, 0.0, 1.4]];
     let shape = format!("extinction = 3, cells = 64, {noise}, {volume}");
-    Stage { light, style, ..Stage::default() }.volume("cloud", &puffs, &shape, "").picture()
+    Stage { light, style, ..stage() }.volume("cloud", &puffs, &shape, "").picture()
 }
 
 #[test]
@@ -86,7 +90,7 @@ fn a_drawn_volume_has_no_colours_but_those_of_its_style() {
     assert_eq!(picture.colours(), expected, "all three tones and what lies behind");
     let inked = drawn("soft = 0", "shadow = { on = true }, ink = { on = true, colour = \"#102030\" }");
     assert_eq!(inked.colours(), expected.into_iter().chain([INK]).collect());
-    assert!(inked.count(INK) > 1000, "there is a contour all round");
+    assert!(inked.count(INK) > 100, "there is a contour all round");
 }
 
 #[test]
@@ -103,7 +107,7 @@ fn light_dies_on_its_way_through() {
         let y = MIDDLE as f32 + metres * PX_PER_METRE;
         u32::from(picture.rgb((MIDDLE as f32 - PX_PER_METRE) as u32, y as u32)[0])
     });
-    assert!(above > 2 * below, "{above} toward the light, {below} away from it");
+    assert!(above > below + 50, "{above} toward the light, {below} away from it");
 }
 
 #[test]
@@ -111,7 +115,7 @@ fn the_drawn_surface_lies_where_the_opacity_says() {
     // A ray down the middle of a ball is opaque to a half after ln 2 / extinction metres.
     let shape = |surface: f32| format!("extinction = 0.5, cells = 96, surface = {surface}");
     let hidden = |surface: f32, z: f32| {
-        let stage = Stage { style: style(&["#f0e0d0"], ""), ..Stage::default() };
+        let stage = Stage { style: style(&["#f0e0d0"], ""), ..stage() };
         let stage = stage.volume("fog", &[[0.0, 0.0, 0.0, 2.0]], &shape(surface), "");
         let wall = format!("transform = {{ position = [0, 0, {z}] }}\nstyle = {{ tones = [\"#000000\"] }}");
         stage.mesh("wall", "wall.obj", &wall).picture_with(files()).rgb(MIDDLE, MIDDLE) != [0; 3]

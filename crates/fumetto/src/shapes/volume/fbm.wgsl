@@ -1,7 +1,10 @@
 // Fractal noise (Perlin, "An Image Synthesizer", 1985). Uses `recipe` of the program that it is part of.
 
-// Octaves of noise, each weaker by the persistence and finer by the lacunarity; within ±1, or from 0 to 1
-// where octaves billow. Octaves are 1 where Perlin's noise is: what lies beyond is rare and cut off.
+// What several octaves together hardly ever exceed; the rest is cut off.
+const REACHED: f32 = 2.0 / 3.0;
+
+// Octaves of noise, each weaker by the persistence and finer by the lacunarity: from -1 to 1, or from 0 where
+// octaves billow.
 fn fbm(p: vec3f, seed: u32) -> f32 {
     var sum = 0.0;
     var most = 0.0;
@@ -14,5 +17,5 @@ fn fbm(p: vec3f, seed: u32) -> f32 {
         strength *= recipe.persistence;
         at *= recipe.lacunarity;
     }
-    return clamp(sum / max(most, 1e-6), -1.0, 1.0);
+    return clamp(sum / (REACHED * max(most, 1e-6)), -1.0, 1.0);
 }

@@ -32,7 +32,7 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_id) local
     let cell = first + local;
     let place = grid.origin + (vec3f(cell) + 0.5) * grid.cell_m;
     var sum = vec4f(0.0);
-    var densest = 0.0;
+    var closest = -1e30;
     var owner = 0u;
     for (var run = 0u; run < recipe.count; run += RUN) {
         if lane < 8u {
@@ -49,8 +49,11 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_id) local
                 let ball = ball_of(puffs[number]);
                 let amount = ball_density(ball, place, grid.cell_m);
                 sum += amount * vec4f(ball.colour, 1.0);
-                owner = select(owner, number + 1u, amount > densest);
-                densest = max(densest, amount);
+                // Just outside, where a surface between cells may lie, the nearest puff takes the place.
+                let outside = -distance(place, ball.center) / ball_reach(ball);
+                let hold = select(outside, amount, amount > 0.0);
+                owner = select(owner, number + 1u, hold > closest);
+                closest = max(closest, hold);
             }
         }
         workgroupBarrier();

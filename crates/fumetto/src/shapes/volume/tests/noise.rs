@@ -107,7 +107,7 @@ fn oracle(p: [f64; 3], noise: VolumeNoise) -> f64 {
         strength *= f64::from(noise.persistence);
         scale *= f64::from(noise.lacunarity);
     }
-    (sum / most).clamp(-1.0, 1.0)
+    (1.5 * sum / most).clamp(-1.0, 1.0)
 }
 
 #[test]
@@ -129,7 +129,7 @@ fn octaves_are_what_double_precision_makes_of_them() {
         for (&found, place) in found.iter().zip(places()) {
             let expected = oracle([0, 1, 2].map(|axis| f64::from(place[axis])), noise);
             // The finest octave stretches what rounding its place loses.
-            assert!((f64::from(found) - expected).abs() < 2e-4, "{found} at {place:?}, should be {expected}");
+            assert!((f64::from(found) - expected).abs() < 3e-4, "{found} at {place:?}, should be {expected}");
             spread = spread.max(expected.abs());
         }
         assert!(spread > 0.5, "there is noise");
