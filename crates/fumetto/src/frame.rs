@@ -1,5 +1,6 @@
 //! How a picture is drawn: the page that reads as it happens, top to bottom.
 
+use fumetto_scene::Object;
 use glam::Vec3;
 
 use crate::{

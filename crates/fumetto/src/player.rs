@@ -5,7 +5,7 @@ use std::{collections::BTreeMap, ops::Range};
 use fumetto_formats::{Model, ModelOptions, is_sequence, sequence_path};
 use fumetto_scene::{
     Given, Ink, InkMethod, Matter, Mesh, Object, Particle, Puffs, Ramp, RampImage, Scene, Shape, Style,
-    Surface, SurfacePlan, Volume,
+    Surface, SurfacePlan,
 };
 use wgpu::util::DeviceExt as _;
 
@@ -204,14 +204,17 @@ impl Player {
     /// of a scene in which nothing moves.
     #[must_use]
     pub fn drawing(&self, frame: u32) -> u32 {
-        let drifts = |object: &Object| object.shape.surface().is_some_and(Surface::drifts);
+        let drifts = |object: &Object| match &object.shape {
+            Shape::Puffs(_) => false,
+            Shape::Surface(surface) => surface.drifts(),
+            Shape::Volume(volume) => volume.drifts(),
+        };
         let stands = |object: &PlayedObject| match &object.matter {
             PlayedMatter::Still(_) => !drifts(&self.scene.objects[object.placement.object as usize]),
             PlayedMatter::Sequence(..) | PlayedMatter::Morph(_) | PlayedMatter::Smoke(_) => false,
             PlayedMatter::Model(played) => !played.model.is_animated(),
         };
-        let drifts = self.scene.objects.iter().filter_map(|object| object.shape.volume()).any(Volume::drifts);
-        if self.objects.iter().all(stands) && !drifts { 0 } else { self.held(frame) }
+        if self.objects.iter().all(stands) { 0 } else { self.held(frame) }
     }
 
     /// The frame whose state is drawn when `frame` is asked for: every second one on twos.

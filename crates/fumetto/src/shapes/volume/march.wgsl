@@ -78,6 +78,47 @@ fn density_at(at: vec3f) -> vec4f {
     return textureSampleLevel(density, linear, at / vec3f(grid.cells), 0.0);
 }
 
+// A step in which there is matter, or the first beyond the grid.
+struct Step {
+    number: f32,
+    // In metres before the camera, and its length.
+    start: f32,
+    part: f32,
+    // Where it is sampled, and what is there: colour times density, and density.
+    at: vec3f,
+    matter: vec4f,
+}
+
+fn step_at(sight: Sight, number: f32, step: f32, offset: f32) -> Step {
+    let start = sight.begin + number * step;
+    let part = min(step, sight.end - start);
+    return Step(number, start, part, sight.eye + sight.ray * (start + offset * part), vec4f(0.0));
+}
+
+// The next step from `number` on in a block that has any matter.
+fn next_occupied(sight: Sight, number: f32, step: f32, offset: f32) -> Step {
+    var next = step_at(sight, number, step, offset);
+    while next.start < sight.end && !is_occupied(next.at) {
+        let leap = ceil((end_of_block(sight, next.at) - sight.begin) / step - offset);
+        next = step_at(sight, max(next.number + 1.0, leap), step, offset);
+    }
+    return next;
+}
+
+// The next one that has some itself. Loops in each other, for a processor that draws in place of a graphics card
+// works out both sides of a branch: so it does not look for light where there is no matter.
+fn next_matter(sight: Sight, number: f32, step: f32, offset: f32) -> Step {
+    var next = next_occupied(sight, number, step, offset);
+    while next.start < sight.end {
+        next.matter = density_at(next.at);
+        if next.matter.a > 0.0 {
+            break;
+        }
+        next = next_occupied(sight, next.number + 1.0, step, offset);
+    }
+    return next;
+}
+
 // Lights that throw no shadow light all alike, as matter's own does.
 fn light_everywhere() -> f32 {
     var sum = recipe.glow;
@@ -153,33 +194,22 @@ fn fragment(@builtin(position) position: vec4f) -> Marched {
     var marched: Marched;
     var number = 0.0;
     while left > SPENT {
-        let start = sight.begin + number * step;
-        if start >= sight.end {
+        let next = next_matter(sight, number, step, offset);
+        if next.start >= sight.end {
             break;
         }
-        let part = min(step, sight.end - start);
-        let at = sight.eye + sight.ray * (start + offset * part);
-        if !is_occupied(at) {
-            let leap = (end_of_block(sight, at) - sight.begin) / step - offset;
-            number = max(number + 1.0, ceil(leap));
-            continue;
-        }
-        number += 1.0;
-        let sampled = density_at(at);
-        if sampled.a <= 0.0 {
-            continue;
-        }
-        let optical = recipe.extinction * sampled.a * part * stretch;
+        number = next.number + 1.0;
+        let optical = recipe.extinction * next.matter.a * next.part * stretch;
         let share = left * (1.0 - exp(-optical));
-        let light = textureSampleLevel(transmitted, linear, at / light_size, 0.0);
-        let colour = sampled.rgb / sampled.a;
+        let light = textureSampleLevel(transmitted, linear, next.at / light_size, 0.0);
+        let colour = next.matter.rgb / next.matter.a;
         seen += share * colour * (everywhere + dot(channels, light));
         matter += share * colour;
         lit += share * light;
         let after = left - share;
         if marched.hit.x == 0u && after <= 1.0 - recipe.surface {
             let into = log(left / (1.0 - recipe.surface)) / optical;
-            marched.hit = surface_of(sight, start + clamp(into, 0.0, 1.0) * part, matter / (1.0 - after));
+            marched.hit = surface_of(sight, next.start + clamp(into, 0.0, 1.0) * next.part, matter / (1.0 - after));
             marched.light = lit / (1.0 - after);
             if recipe.soft == 0.0 {
                 break;

@@ -14,8 +14,8 @@
 //!
 //! **A grid, not puffs along the ray.** A step that asks every puff near it for its noise costs, with thirty
 //! puffs of five octaves, a thousand times what a sample of a texture does, and light asks as often as the eye.
-//! A cell is worked out once, from the puffs that touch its workgroup. What is finer than a cell is lost; with
-//! 128 cells to an object that fills a picture 720 pixels high, that is finer than a line of ink is wide.
+//! A cell is worked out once, from the puffs that touch its workgroup. What is finer than a cell is lost: with
+//! 224 cells to a cloud 900 pixels wide, that is about the width of a line of ink.
 //! Memory is dense, and what is seen of it is not: rays leap over blocks of 8³ cells without matter.
 //!
 //! **The march knows no puffs.** Its input is a [`Field`]: density and colour in a grid, who owns which cell, and
