@@ -62,6 +62,7 @@ fn recipe(count: usize, threshold: f32, cell_m: f32) -> Recipe {
         radius_scale: 1.0,
         mass_scale: 1.0,
         spacing: Spacing::Cell(cell_m),
+        sight: None,
         noise: None,
     }
 }
