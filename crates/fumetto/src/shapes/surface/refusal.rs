@@ -38,9 +38,7 @@ pub(crate) fn shortage(overflow: u32) -> Option<&'static str> {
             "has holes: it did not fit the room that was planned for it. Choose larger cells or fewer particles",
         )
     } else if overflow != 0 {
-        Some(
-            "has larger cells than were asked for: its particles are too far apart. Choose larger cells",
-        )
+        Some("has larger cells than were asked for: its particles are too far apart. Choose larger cells")
     } else {
         None
     }

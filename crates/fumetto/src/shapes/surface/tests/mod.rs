@@ -9,6 +9,7 @@ mod normals;
 mod random;
 mod repeat;
 mod shape;
+mod sight;
 mod sphere;
 
 use std::sync::{LazyLock, Mutex, PoisonError};
