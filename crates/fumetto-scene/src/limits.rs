@@ -108,6 +108,8 @@ pub const ANGLE_DEG: Limit = Limit::closed(0.0, 180.0);
 pub const STRETCH: Limit = Limit::closed(-1e6, 1e6);
 /// Cells of a surface along its longest side.
 pub const SUBDIVISIONS: Limit = Limit::closed(1.0, 512.0);
+/// Cells of a surface on the picture.
+pub const CELL_PX: Limit = Limit::closed(1.0, 512.0);
 /// Cells of a surface to a particle's radius.
 pub const PER_RADIUS: Limit = Limit::above(0.0, 100.0);
 /// Strength of a surface's noise, in thresholds.

@@ -403,6 +403,7 @@ fn every_key_of_a_surface_reaches_it() {
         ("subdivisions = 22", Resolution::Subdivisions(22)),
         ("cell = 0.1", Resolution::Cell(0.1)),
         ("per_radius = 4", Resolution::PerRadius(4.0)),
+        ("pixels = 6", Resolution::Picture(6.0 / 720.0)),
     ] {
         assert_eq!(two_balls(keys).0, Surface { resolution, ..plain });
     }
@@ -451,6 +452,27 @@ fn a_surfaces_cells_are_as_large_as_asked_for() {
     let (surface, particles) = two_balls("subdivisions = 25");
     assert_eq!(surface.plan_sequence(&particles).spacing, Spacing::Subdivisions(25.0));
     assert_eq!(surface.plan(&[]).room.particles, 1, "nothing is no reason to fail");
+}
+
+#[test]
+fn cells_in_pixels_have_room_for_a_cloud_that_fills_the_picture() {
+    let plans = |keys: &str| {
+        let (surface, two) = two_balls(keys);
+        let far = [Particle { center: [20.0, 0.0, 0.0], radius: 2.0, mass: 1.0 }];
+        [surface.plan(&two), surface.plan_sequence(&two), surface.plan_morph(&[&two, &far])]
+    };
+    // 120 of them lie along the picture's height.
+    let (share, most) = (6.0 / 720.0, 240.0);
+    assert_eq!(plans("pixels = 6").map(|plan| plan.spacing), [Spacing::Picture { share, most }; 3]);
+    let [still, sequence, _] = plans("subdivisions = 240");
+    assert_eq!(plans("pixels = 6").map(|plan| plan.room)[..2], [still.room, sequence.room]);
+    // There is an end to both sides: 128 MiB for the triangles, and a cloud of which hardly any cell is left.
+    for (keys, along) in [("pixels = 1", 256.0), ("pixels = 512", 8.0)] {
+        for plan in plans(keys) {
+            assert!(matches!(plan.spacing, Spacing::Picture { most, .. } if most == along), "{plan:?}");
+            assert!(plan.room.parts().iter().all(|(_, count, bytes)| count * bytes <= 64 << 20), "{plan:?}");
+        }
+    }
 }
 
 #[test]

@@ -11,7 +11,7 @@ use crate::{
     shapes::{
         mesh::Place,
         puffs::Present,
-        surface::{Surface, SurfaceSize},
+        surface::{Sight, Surface, SurfaceSize},
         volume::Volume,
     },
     tiles::Part,
@@ -137,7 +137,8 @@ impl Engine {
         }
     }
 
-    /// Turns the particles into puffs, puffs into surfaces and volumes, and brings models to their places.
+    /// Turns the particles into puffs, puffs into volumes and into those surfaces that look alike from everywhere,
+    /// and brings models to their places.
     fn show(&self, player: &mut Player, shown: u32) {
         let secs = player.secs(shown);
         let mut frame = Frame::new(&self.gpu, &self.pool, "shapes.present");
@@ -152,9 +153,22 @@ impl Engine {
                 }
             }
         }
-        player.surfaces.record(&mut frame, &self.surface, &player.puffs.puffs, (secs, &player.meshes));
+        player.surfaces.move_on();
+        player.surfaces.record(&mut frame, &self.surface, &player.puffs.puffs, None, (secs, &player.meshes));
         player.volumes.record(&mut frame, &self.volume, &player.puffs.puffs, secs);
         frame.submit();
+    }
+
+    /// Makes the surfaces whose cells are lengths on the picture, unless they are as they are seen by `camera`.
+    pub(crate) fn look(&self, player: &Player, camera: &Camera) {
+        let (Some(shown), sight) = (player.shown, Sight::of(camera)) else { return };
+        if player.surfaces.waits(sight) {
+            let moment = (player.secs(shown), &player.meshes);
+            let mut frame = Frame::new(&self.gpu, &self.pool, "shapes.look");
+            let puffs = &player.puffs.puffs;
+            player.surfaces.record(&mut frame, &self.surface, puffs, Some(sight), moment);
+            frame.submit();
+        }
     }
 
     /// Draws the moment that `player` is at into `target`, of [`PICTURE_FORMAT`] and the shot's size.
@@ -165,6 +179,7 @@ impl Engine {
     /// When the picture is too large for the device.
     pub fn draw(&mut self, player: &Player, shot: &Shot, target: &wgpu::TextureView) -> Result<(), Error> {
         self.check_size(shot)?;
+        self.look(player, &shot.camera);
         let part = Part { region: Region::whole(shot.samples()), survey: None };
         self.painter.paint(&self.gpu, &self.pool, player, shot, part, target);
         self.pool.end_frame();
@@ -179,6 +194,7 @@ impl Engine {
     pub fn layer(&mut self, player: &Player, shot: &Shot, layer: Layer) -> Result<Image, Error> {
         let shot = Shot { antialias: 1, ..shot.clone() };
         self.check_size(&shot)?;
+        self.look(player, &shot.camera);
         let proof = self.painter.proof(&self.gpu, &self.pool, player, &shot);
         Ok(proof.picture(&self.gpu, layer)?)
     }
@@ -192,11 +208,12 @@ impl Engine {
         Ok(atlas_pictures(&self.gpu, &player.puffs.atlas)?)
     }
 
-    /// How large the surfaces are that the moment shows. Waits for the device.
+    /// How large the surfaces are that the moment shows to the scene's first camera. Waits for the device.
     ///
     /// # Errors
     /// When the device is lost.
     pub fn surfaces(&self, player: &Player) -> Result<Vec<SurfaceSize>, Error> {
+        self.look(player, &Shot::of(player.scene()).camera);
         Ok(player.surfaces.sizes(&self.gpu, &player.meshes)?)
     }
 

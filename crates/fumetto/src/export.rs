@@ -5,7 +5,7 @@ use fumetto_formats::{Group, Image, Solid};
 use fumetto_scene::{Colour, Object, Particle, Ramp};
 
 use crate::{
-    Engine, Error, Player,
+    Engine, Error, Player, Shot,
     assets::load_image,
     gpu::{Gpu, GpuError, read_items},
     player::{PlayedMatter, PlayedModel},
@@ -46,7 +46,8 @@ struct Counters {
 
 impl Engine {
     /// The triangles of the scene's `object`-th object at the moment that `player` is at; `None` of one that
-    /// is drawn without any, as puffs are. Waits for the device.
+    /// is drawn without any, as puffs are. Cells that are lengths on the picture are as the scene's first camera
+    /// sees them. Waits for the device.
     ///
     /// # Errors
     /// When a ramp's picture cannot be read, or the device is lost.
@@ -60,6 +61,7 @@ impl Engine {
             let solid = model_solid(self.gpu(), player, (described, object), model, lit)?;
             return Ok(Some(Export { solid, notes: Vec::new() }));
         }
+        self.look(player, &Shot::of(scene).camera);
         let reserved = player.meshes.reserved.iter().find(|reserved| reserved.object == object);
         let Some(reserved) = reserved else { return Ok(None) };
         Ok(Some(surface_export(self.gpu(), player, described, reserved, lit)?))

@@ -507,9 +507,12 @@ fn surfaces(
         let Some(plan) = plan(scene, object, &surface, &played.matter) else { continue };
         let first = played.placement.first;
         let puffs = first..first + played.capacity;
-        let stands = matches!(played.matter, PlayedMatter::Still(_)) && !surface.drifts();
+        let still = match &played.matter {
+            PlayedMatter::Still(particles) if !surface.drifts() => Some(particles.as_slice()),
+            _ => None,
+        };
         let scales = [surface.size / played.placement.size, mass];
-        let surface = SurfaceObject { surface, scales, plan, puffs, stands };
+        let surface = SurfaceObject { surface, scales, plan, puffs, still };
         surface.check(gpu).map_err(|source| Error::Surface { object: object.name.clone(), source })?;
         surfaces.push(surface);
     }

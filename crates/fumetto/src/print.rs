@@ -66,6 +66,7 @@ impl Engine {
     }
 
     fn draw_part(&mut self, player: &Player, shot: &Shot, part: Part<'_>) -> (wgpu::Texture, Vec<InkAround>) {
+        self.look(player, &shot.camera);
         let gpu = self.gpu().clone();
         let texture = picture_texture(&gpu, part.region.size.map(|side| side / shot.antialias));
         let view = texture.create_view(&wgpu::TextureViewDescriptor::default());

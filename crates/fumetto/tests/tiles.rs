@@ -100,6 +100,11 @@ fn a_surface() {
 }
 
 #[test]
+fn a_surface_with_cells_in_pixels() {
+    check("smoke-cel", 60, &[]);
+}
+
+#[test]
 fn models_and_their_shadows() {
     check("cottage", 150, &[]);
 }

@@ -24,12 +24,12 @@ pub(super) fn object(
         None => scene_style.clone(),
     };
     let (at_shape, shape_file) = (at.key("shape"), file.shape.as_ref());
-    let shape = shape(&at_shape, shape_file);
+    let shape = shape(&at_shape, shape_file, style.height_px);
     let object = Object {
         name: file.name.clone(),
         visible: file.visible,
         matter: matter(at, file),
-        details: details(&at_shape, shape_file, &shape, &style.ink),
+        details: details(&at_shape, shape_file, &shape, &style),
         shape,
         style,
         opacity: file.opacity,

@@ -1,15 +1,16 @@
 use super::{At, ink::ink, volume::volume};
 use crate::file::{DetailFile, NoiseFile, PuffsFile, ShapeFile, SurfaceFile};
-use crate::{Detail, Ink, Noise, Puffs, Resolution, Shape, Surface};
+use crate::{Detail, Noise, Puffs, Resolution, Shape, Style, Surface};
 
 /// Cells along the longest side, unless the file says how fine.
 const SUBDIVISIONS: u32 = 48;
 
-pub(super) fn shape(at: &At<'_>, file: Option<&ShapeFile>) -> Shape {
+/// Lengths in pixels are meant for a picture `height_px` high.
+pub(super) fn shape(at: &At<'_>, file: Option<&ShapeFile>, height_px: f32) -> Shape {
     match file {
         Some(ShapeFile::Volume(file)) => Shape::Volume(volume(&at.key("volume"), file)),
         Some(ShapeFile::Puffs(file)) => Shape::Puffs(puffs(&at.key("puffs"), *file)),
-        Some(ShapeFile::Surface(file)) => Shape::Surface(surface(&at.key("surface"), file)),
+        Some(ShapeFile::Surface(file)) => Shape::Surface(surface(&at.key("surface"), file, height_px)),
         None => Shape::Puffs(puffs(&at.key("puffs"), PuffsFile::default())),
     }
 }
@@ -24,8 +25,9 @@ fn puffs(at: &At<'_>, file: PuffsFile) -> Puffs {
     Puffs { variants, seed, spheres, tile_px: tile, size }
 }
 
-fn surface(at: &At<'_>, file: &SurfaceFile) -> Surface {
-    let choices = choices(file.subdivisions, file.cell, file.per_radius);
+fn surface(at: &At<'_>, file: &SurfaceFile, height_px: f32) -> Surface {
+    let pixels = file.pixels.map(|px| px / height_px);
+    let choices = choices(file.subdivisions, file.cell, file.per_radius, pixels);
     Surface {
         threshold: file.threshold,
         resolution: resolution(at, "surface", choices).unwrap_or(Resolution::Subdivisions(SUBDIVISIONS)),
@@ -44,36 +46,44 @@ fn noise(file: NoiseFile) -> Noise {
     }
 }
 
-/// The layers of detail in the `shape` of an object whose lines are drawn with `pen`.
-pub(super) fn details(at: &At<'_>, file: Option<&ShapeFile>, shape: &Shape, pen: &Ink) -> Vec<Detail> {
+/// The layers of detail in the `shape` of an object in this `style`.
+pub(super) fn details(at: &At<'_>, file: Option<&ShapeFile>, shape: &Shape, style: &Style) -> Vec<Detail> {
     let (Some(ShapeFile::Surface(file)), Some(outer)) = (file, shape.surface()) else { return Vec::new() };
     let at = at.key("surface").key("detail");
     let files = file.detail.as_deref().unwrap_or_default();
-    files.iter().enumerate().map(|(i, file)| detail(&at.item(i), file, outer, pen)).collect()
+    files.iter().enumerate().map(|(i, file)| detail(&at.item(i), file, outer, style)).collect()
 }
 
-fn detail(at: &At<'_>, file: &DetailFile, outer: &Surface, pen: &Ink) -> Detail {
-    let choices = choices(file.subdivisions, file.cell, file.per_radius);
+fn detail(at: &At<'_>, file: &DetailFile, outer: &Surface, style: &Style) -> Detail {
+    let pixels = file.pixels.map(|px| px / style.height_px);
+    let choices = choices(file.subdivisions, file.cell, file.per_radius, pixels);
     let surface = Surface {
         threshold: file.threshold.unwrap_or(outer.threshold),
         resolution: resolution(at, "detail", choices).unwrap_or(outer.resolution),
         size: file.size * outer.size,
         noise: file.noise.map(noise).or(outer.noise),
     };
-    let mut own = *pen;
+    let mut own = style.ink;
     if let Some(file) = &file.ink {
         ink(&at.key("ink"), file, &mut own);
     }
     Detail { surface, mass: file.mass, ink: own }
 }
 
-type Choices = [Option<Resolution>; 3];
+type Choices = [Option<Resolution>; 4];
 
-fn choices(subdivisions: Option<u32>, cell: Option<f32>, per_radius: Option<f32>) -> Choices {
+/// `share` is of the picture's height.
+fn choices(
+    subdivisions: Option<u32>,
+    cell: Option<f32>,
+    per_radius: Option<f32>,
+    share: Option<f32>,
+) -> Choices {
     [
         subdivisions.map(Resolution::Subdivisions),
         cell.map(Resolution::Cell),
         per_radius.map(Resolution::PerRadius),
+        share.map(Resolution::Picture),
     ]
 }
 
@@ -82,7 +92,8 @@ fn resolution(at: &At<'_>, what: &str, choices: Choices) -> Option<Resolution> {
     let mut chosen = choices.into_iter().flatten();
     let first = chosen.next();
     if chosen.next().is_some() {
-        let message = format!("`{what}` must have only one of `subdivisions`, `cell` and `per_radius`");
+        let message =
+            format!("`{what}` must have only one of `subdivisions`, `cell`, `per_radius` and `pixels`");
         let help = "each says how finely the surface is sampled; keep the one that you mean";
         at.error("surface-choice", message, help);
     }

@@ -21,6 +21,10 @@ pub struct SurfaceFile {
     /// In place of `subdivisions`: cells to a particle's mean radius, above 0.
     #[schemars(transform = &limits::PER_RADIUS)]
     pub per_radius: Option<f32>,
+    /// In place of `subdivisions`: the side of a cell in pixels of the picture, where the object is nearest to the
+    /// camera, 1 to 512. For the style's `height`.
+    #[schemars(transform = &limits::CELL_PX)]
+    pub pixels: Option<f32>,
     /// Multiplies the particles' radii, above 0. Default 1.
     #[schemars(transform = &limits::SCALE)]
     pub size: f32,
@@ -37,6 +41,7 @@ impl Default for SurfaceFile {
             subdivisions: None,
             cell: None,
             per_radius: None,
+            pixels: None,
             size: 1.0,
             noise: None,
             detail: None,
@@ -67,6 +72,10 @@ pub struct DetailFile {
     /// In place of `subdivisions`: cells to a particle's mean radius, above 0.
     #[schemars(transform = &limits::PER_RADIUS)]
     pub per_radius: Option<f32>,
+    /// In place of `subdivisions`: the side of a cell in pixels of the picture, where the layer is nearest to the
+    /// camera, 1 to 512. For the style's `height`.
+    #[schemars(transform = &limits::CELL_PX)]
+    pub pixels: Option<f32>,
     /// Noise that roughens it; an `amplitude` of 0 leaves it smooth.
     pub noise: Option<NoiseFile>,
     /// How its lines differ from the object's.
@@ -82,6 +91,7 @@ impl Default for DetailFile {
             subdivisions: None,
             cell: None,
             per_radius: None,
+            pixels: None,
             noise: None,
             ink: None,
         }

@@ -42,6 +42,9 @@ pub enum Resolution {
     Cell(f32),
     /// Cells to the mean radius of the particles; above zero.
     PerRadius(f32),
+    /// The side of a cell as it appears where the object is nearest to the camera, over the picture's height;
+    /// above zero.
+    Picture(f32),
 }
 
 /// Noise that is added to the density.

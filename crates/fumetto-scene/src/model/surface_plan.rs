@@ -13,6 +13,13 @@ const POINTS: u64 = BLOCK * BLOCK * BLOCK;
 const MOST_BLOCKS: u64 = 1 << 22;
 /// Cells along the longest side that there is room for where nobody can tell how far particles go.
 const FAR_CELLS: u32 = 128;
+/// Where the picture says how large cells are: so many times more along the longest side than along the picture's
+/// height. A ball that fills a picture of 60 degrees has 1.7 times as many, counted where it is nearest.
+const FILLING: f32 = 2.0;
+/// Likewise the most cells along the longest side: room for two such surfaces is within WebGPU's default limits.
+const MOST_CELLS: f32 = 256.0;
+/// Likewise the least, so that something is left to sample of what is far away. Also in the engine's `bounds.wgsl`.
+const LEAST_CELLS: f32 = 8.0;
 /// Of smoke, so many particles may be as wide as all of it is.
 const WIDE_PARTICLES: u64 = 64;
 /// Of many particles, so many may overlap everywhere.
@@ -35,6 +42,14 @@ pub enum Spacing {
     /// Cells along the longest side of what there is at the moment. Cells come in steps of a quarter of an
     /// octave, rounded up, so that they seldom change while smoke grows.
     Subdivisions(f32),
+    /// The picture says: cells appear as large as asked for where the object is nearest to the camera. They come in
+    /// the same steps.
+    Picture {
+        /// The side of a cell over the picture's height.
+        share: f32,
+        /// No more cells than these along the longest side of what there is at the moment.
+        most: f32,
+    },
 }
 
 /// Room for one surface.
@@ -63,12 +78,17 @@ impl Surface {
             Resolution::Subdivisions(cells) => longest_m / cells as f32,
             Resolution::Cell(cell_m) => cell_m,
             Resolution::PerRadius(cells) => self.mean_m(particles) / cells,
+            Resolution::Picture(share) => longest_m / most_cells(share),
         };
         // Without any extent there is nothing to sample.
         let cell_m = if cell_m > 0.0 { cell_m } else { 1.0 };
         let cells = (longest_m / cell_m).ceil() as u32;
         let radii = particles.iter().map(|particle| (1, particle.radius * self.size / cell_m));
-        SurfacePlan { spacing: Spacing::Cell(cell_m), room: SurfaceRoom::of(radii, cells) }
+        let spacing = match self.resolution {
+            Resolution::Picture(share) => Spacing::Picture { share, most: most_cells(share) },
+            _ => Spacing::Cell(cell_m),
+        };
+        SurfacePlan { spacing, room: SurfaceRoom::of(radii, cells) }
     }
 
     /// For particles of which every frame has others.
@@ -80,12 +100,16 @@ impl Surface {
 
     /// For particles that become those of the next of `sets`, and so on.
     ///
-    /// Cells stay as they are all the while: those of the set that wants the largest.
+    /// Cells stay as they are all the while, unless the picture says how large they are: those of the set that wants
+    /// the largest.
     #[must_use]
     pub fn plan_morph(&self, sets: &[&[Particle]]) -> SurfacePlan {
+        if matches!(self.resolution, Resolution::Picture(_)) {
+            return self.plan_sequence(&sets.concat());
+        }
         let cells_m = sets.iter().filter(|set| !set.is_empty()).map(|set| match self.plan(set).spacing {
             Spacing::Cell(cell_m) => cell_m,
-            Spacing::Subdivisions(_) => 0.0,
+            Spacing::Subdivisions(_) | Spacing::Picture { .. } => 0.0,
         });
         let cell_m = cells_m.reduce(f32::max).unwrap_or(1.0);
         // Between two sets particles are between two places, and as large as one of two.
@@ -115,16 +139,20 @@ impl Surface {
             let room = SurfaceRoom::of([(count, largest_m / cell_m)], FAR_CELLS);
             SurfacePlan { spacing: Spacing::Cell(cell_m), room }
         };
+        let along = |cells: f32, spacing| {
+            let wide = WIDE_PARTICLES.min(count);
+            // Balls that fill a cube of side 1 so many times.
+            let share = (OVERLAP * 0.75 / (PI * count.max(1) as f32)).cbrt().min(0.5);
+            let radii = [(wide, 0.5 * cells), (count - wide, share * cells)];
+            SurfacePlan { spacing, room: SurfaceRoom::of(radii, cells as u32) }
+        };
         match self.resolution {
             Resolution::Cell(cell_m) => of_cell(cell_m),
             Resolution::PerRadius(cells) => of_cell(mean_m / cells),
-            Resolution::Subdivisions(cells) => {
-                let wide = WIDE_PARTICLES.min(count);
-                // Balls that fill a cube of side 1 so many times.
-                let share = (OVERLAP * 0.75 / (PI * count.max(1) as f32)).cbrt().min(0.5);
-                let radii = [(wide, 0.5 * cells as f32), (count - wide, share * cells as f32)];
-                let room = SurfaceRoom::of(radii, cells);
-                SurfacePlan { spacing: Spacing::Subdivisions(cells as f32), room }
+            Resolution::Subdivisions(cells) => along(cells as f32, Spacing::Subdivisions(cells as f32)),
+            Resolution::Picture(share) => {
+                let most = most_cells(share);
+                along(most, Spacing::Picture { share, most })
             }
         }
     }
@@ -145,6 +173,11 @@ impl Surface {
         let sum: f32 = particles.iter().map(|particle| particle.radius).sum();
         self.size * sum / particles.len().max(1) as f32
     }
+}
+
+/// The most cells along the longest side where one covers this `share` of the picture's height.
+fn most_cells(share: f32) -> f32 {
+    (FILLING / share).ceil().clamp(LEAST_CELLS, MOST_CELLS)
 }
 
 impl SurfaceRoom {

@@ -14,6 +14,7 @@ mod light;
 mod mesh_shadows;
 mod meshes;
 mod models;
+mod multiresolution;
 mod occlusion;
 mod relief;
 mod shadings;

@@ -74,7 +74,7 @@ pub(crate) struct Casters {
 #[derive(Debug, thiserror::Error)]
 #[error(
     "models and surfaces have {what} for {asked} bytes; this device allows {allowed} in one piece. Simplify models, \
-     leave copies out, or choose fewer subdivisions"
+     leave copies out, or choose larger cells for surfaces"
 )]
 pub struct MeshError {
     what: &'static str,

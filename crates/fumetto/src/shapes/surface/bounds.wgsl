@@ -11,7 +11,9 @@ struct Share {
     radii: f32,
     squares: f32,
     cubes: f32,
-    pad: vec2f,
+    // From the eye to the nearest ball; below zero inside one.
+    nearest: f32,
+    pad: f32,
 }
 
 @group(0) @binding(0) var<uniform> recipe: Recipe;
@@ -36,7 +38,7 @@ fn blob_of(puff: Puff) -> Blob {
 }
 
 fn nothing() -> Share {
-    return Share(vec3f(3e38), 0.0, vec3f(-3e38), 0.0, 0.0, 0.0, vec2f(0.0));
+    return Share(vec3f(3e38), 0.0, vec3f(-3e38), 0.0, 0.0, 0.0, 3e38, 0.0);
 }
 
 fn share_of(blob: Blob) -> Share {
@@ -44,7 +46,8 @@ fn share_of(blob: Blob) -> Share {
         return nothing();
     }
     let r = blob.radius;
-    return Share(blob.center - r, 1.0, blob.center + r, r, r * r, r * r * r, vec2f(0.0));
+    let nearest = distance(blob.center, recipe.eye) - r;
+    return Share(blob.center - r, 1.0, blob.center + r, r, r * r, r * r * r, nearest, 0.0);
 }
 
 fn together(a: Share, b: Share) -> Share {
@@ -55,7 +58,8 @@ fn together(a: Share, b: Share) -> Share {
         a.radii + b.radii,
         a.squares + b.squares,
         a.cubes + b.cubes,
-        vec2f(0.0),
+        min(a.nearest, b.nearest),
+        0.0,
     );
 }
 
@@ -104,6 +108,8 @@ fn fit(@builtin(local_invocation_index) lane: u32) {
 const STEP: f32 = 1.1892071;
 // Steps from the smallest cell to one that holds everything `MOST` allows.
 const STEPS: u32 = 400u;
+// A cell is no larger than this part of the longest side. Also in `sight.rs`.
+const LEAST_CELLS: f32 = 8.0;
 // In cells. Single floats place what lies this far from the origin to within a hundredth of a cell.
 const FARTHEST: f32 = 65536.0;
 
@@ -115,7 +121,10 @@ fn fitted(total: Share) -> Lattice {
     if cell_m == 0.0 {
         let extent = total.high - total.low;
         let longest = max(extent.x, max(extent.y, extent.z));
-        cell_m = exp2(ceil(4.0 * log2(longest / recipe.subdivisions)) / 4.0);
+        let finest = longest / recipe.subdivisions;
+        let coarsest = longest / min(LEAST_CELLS, recipe.subdivisions);
+        let wanted = clamp(recipe.cell_per_m * max(total.nearest, 0.0), finest, coarsest);
+        cell_m = exp2(ceil(4.0 * log2(wanted)) / 4.0);
     }
     var overflow = 0u;
     for (var step = 0u; step < STEPS && !fits(total, cell_m); step++) {

@@ -12,7 +12,9 @@
 //!                    block    cross     case     the draw
 //! ```
 //!
-//! All of it happens on the GPU, every frame, and nothing is read back. Work is linear in what blocks have
+//! All of it happens on the GPU, every frame, and nothing is read back. Where cells are lengths on the picture, it
+//! happens when the picture is drawn, and again only where the camera has come so much nearer, or the matter moved
+//! (`sight.rs`). Work is linear in what blocks have
 //! on their lists and in the area of the surface: the inside of a thick cloud is never sampled.
 //!
 //! **Marching cubes**, with cases that only look at signs (`polygons.rs`), for this is watertight by
@@ -40,6 +42,7 @@ mod recipe;
 mod refusal;
 mod scan;
 mod scene;
+mod sight;
 mod size;
 #[cfg(test)]
 mod tests;
@@ -47,6 +50,7 @@ mod tests;
 pub(crate) use peak::peak_of_nothing;
 pub(crate) use refusal::{SurfaceTooLarge, shortage};
 pub(crate) use scene::{SurfaceObject, SurfaceScene};
+pub(crate) use sight::Sight;
 pub use size::SurfaceSize;
 
 use buffers::Workspace;

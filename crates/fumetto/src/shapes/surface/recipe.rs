@@ -1,8 +1,9 @@
 use std::ops::Range;
 
 use fumetto_scene::{Noise, Spacing, Surface, SurfaceRoom};
+use glam::Vec3;
 
-use super::bins::sharers;
+use super::{bins::sharers, sight::Sight};
 use crate::shapes::mesh::Reserved;
 
 /// What is made of an object's puffs.
@@ -17,6 +18,8 @@ pub(crate) struct Recipe {
     /// Multiplies all masses.
     pub(crate) mass_scale: f32,
     pub(crate) spacing: Spacing,
+    /// From where it is seen, where cells are lengths on the picture.
+    pub(crate) sight: Option<Sight>,
     pub(crate) noise: Option<Noise>,
 }
 
@@ -51,6 +54,8 @@ pub(super) struct RecipeUniform {
     first_triangle: u32,
     sharers: u32,
     noise_offset_m: [f32; 3],
+    cell_per_m: f32,
+    eye: [f32; 3],
     pad: u32,
 }
 
@@ -63,15 +68,18 @@ impl Recipe {
         puffs: Range<u32>,
         spacing: Spacing,
     ) -> Self {
-        Self { puffs, threshold: surface.threshold, radius_scale, mass_scale, spacing, noise: surface.noise }
+        let (threshold, noise) = (surface.threshold, surface.noise);
+        Self { puffs, threshold, radius_scale, mass_scale, spacing, sight: None, noise }
     }
 
     /// Of the moment `secs`.
     pub(super) fn uniform(&self, secs: f32, room: SurfaceRoom, mesh: &Reserved) -> RecipeUniform {
-        let (cell_m, subdivisions) = match self.spacing {
-            Spacing::Cell(cell_m) => (kept(cell_m, LEAST, 1.0 / LEAST), 1.0),
-            Spacing::Subdivisions(subdivisions) => (0.0, kept(subdivisions, 1.0, MOST_SUBDIVISIONS)),
+        let (cell_m, subdivisions, share) = match self.spacing {
+            Spacing::Cell(cell_m) => (kept(cell_m, LEAST, 1.0 / LEAST), 1.0, 0.0),
+            Spacing::Subdivisions(subdivisions) => (0.0, kept(subdivisions, 1.0, MOST_SUBDIVISIONS), 0.0),
+            Spacing::Picture { share, most } => (0.0, kept(most, 1.0, MOST_SUBDIVISIONS), share),
         };
+        let (eye, height_m) = self.sight.map_or((Vec3::ZERO, 0.0), |sight| (sight.eye, sight.height_m));
         let quiet = Noise { amplitude: 0.0, size_m: 1.0, octaves: 0, seed: 0, drift_m_per_s: [0.0; 3] };
         let noise = self.noise.unwrap_or(quiet);
         let count = (self.puffs.len() as u32).min(room.particles);
@@ -97,6 +105,8 @@ impl Recipe {
             first_triangle: mesh.triangles.start,
             sharers: sharers(count),
             noise_offset_m: noise.drift_m_per_s.map(|m_per_s| m_per_s * secs),
+            cell_per_m: kept(share * height_m, 0.0, 1.0 / LEAST),
+            eye: eye.to_array(),
             pad: 0,
         }
     }
@@ -112,5 +122,5 @@ mod tests {
     use super::*;
     use crate::gpu::layout_test;
 
-    layout_test!(lies_as_its_twin: RecipeUniform, "Recipe" of "shapes/surface/bounds" { first, count, radius_scale, mass_scale, threshold, cell_m, subdivisions, part, noise_amplitude, noise_per_m, noise_octaves, noise_seed, blocks, entries, active_blocks, vertices, triangles, first_vertex, first_triangle, sharers, noise_offset_m });
+    layout_test!(lies_as_its_twin: RecipeUniform, "Recipe" of "shapes/surface/bounds" { first, count, radius_scale, mass_scale, threshold, cell_m, subdivisions, part, noise_amplitude, noise_per_m, noise_octaves, noise_seed, blocks, entries, active_blocks, vertices, triangles, first_vertex, first_triangle, sharers, noise_offset_m, cell_per_m, eye });
 }

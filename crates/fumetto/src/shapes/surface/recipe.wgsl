@@ -10,7 +10,7 @@ struct Recipe {
     threshold: f32,
     // Side of a cell, in metres; zero where `subdivisions` decides.
     cell_m: f32,
-    // Cells along the longest side of what there is.
+    // The most cells along the longest side of what there is.
     subdivisions: f32,
     // Number that every triangle carries.
     part: u32,
@@ -32,4 +32,7 @@ struct Recipe {
     sharers: u32,
     // How far noise has travelled.
     noise_offset_m: vec3f,
+    // Side of a cell for each metre from the eye to what is nearest; zero where that does not matter.
+    cell_per_m: f32,
+    eye: vec3f,
 }

@@ -7,7 +7,7 @@ use crate::gpu::Gpu;
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[error(
     "a surface with room for {count} {what} needs {needed} bytes for them, and this device allows {allowed}: \
-     choose fewer subdivisions or fewer particles"
+     choose larger cells (fewer subdivisions, more pixels) or fewer particles"
 )]
 pub struct SurfaceTooLarge {
     what: &'static str,
@@ -35,12 +35,10 @@ pub(crate) fn shortage(overflow: u32) -> Option<&'static str> {
     const COARSENED: u32 = 1;
     if overflow & !COARSENED != 0 {
         Some(
-            "has holes: it did not fit the room that was planned for it. Choose fewer `subdivisions` or particles",
+            "has holes: it did not fit the room that was planned for it. Choose larger cells or fewer particles",
         )
     } else if overflow != 0 {
-        Some(
-            "has larger cells than were asked for: its particles are too far apart. Choose fewer `subdivisions`",
-        )
+        Some("has larger cells than were asked for: its particles are too far apart. Choose larger cells")
     } else {
         None
     }

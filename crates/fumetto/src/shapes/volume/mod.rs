@@ -25,14 +25,14 @@
 //! the surface, and the light that was gathered before it is what tones quantise.
 
 mod field;
+mod grids;
 mod march;
 mod recipe;
 mod scene;
 #[cfg(test)]
 mod tests;
-mod volume;
 
 pub(crate) use field::Field;
+pub(crate) use grids::Volume;
 pub(crate) use march::March;
 pub(crate) use scene::{VolumeObject, VolumeScene, VolumeTooLarge};
-pub(crate) use volume::Volume;

@@ -4,7 +4,7 @@ use std::io;
 
 use fumetto_scene::{Scene, SceneText};
 
-use crate::{Assets, Engine, Gpu, gpu::read_buffer};
+use crate::{Assets, Engine, Gpu};
 
 /// These scenes name no files.
 struct NoFiles;
@@ -22,12 +22,9 @@ fn triangles(engine: &Engine, toml: &str, frame: u32) -> Vec<u32> {
         .unwrap_or_else(|report| panic!("{}", report.render(false)));
     let mut player = engine.play(scene, Box::new(NoFiles)).expect("the scene can be played");
     engine.seek(&mut player, frame).expect("no file is needed");
-    let count = |reserved: &crate::shapes::mesh::Reserved| {
-        let counters: Vec<u32> = read_buffer(engine.gpu(), &reserved.counters).expect("the device lives");
-        assert_eq!(counters[6], 0, "everything fits");
-        counters[5]
-    };
-    player.meshes.reserved.iter().map(count).collect()
+    let sizes = engine.surfaces(&player).expect("the device lives");
+    assert!(sizes.iter().all(|size| !size.coarsened && !size.cut), "everything fits");
+    sizes.iter().map(|size| size.triangles).collect()
 }
 
 #[test]

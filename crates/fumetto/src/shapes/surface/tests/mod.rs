@@ -9,6 +9,7 @@ mod normals;
 mod random;
 mod repeat;
 mod shape;
+mod sight;
 mod sphere;
 
 use std::sync::{LazyLock, Mutex, PoisonError};
@@ -62,6 +63,7 @@ fn recipe(count: usize, threshold: f32, cell_m: f32) -> Recipe {
         radius_scale: 1.0,
         mass_scale: 1.0,
         spacing: Spacing::Cell(cell_m),
+        sight: None,
         noise: None,
     }
 }

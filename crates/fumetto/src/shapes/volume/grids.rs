@@ -1,3 +1,5 @@
+//! From particles to what is marched: the grids of matter and of light.
+
 use super::{
     field::{Field, view},
     recipe::RecipeUniform,
