@@ -51,7 +51,7 @@ pub(super) struct RecipeUniform {
     first_triangle: u32,
     sharers: u32,
     noise_offset_m: [f32; 3],
-    pad: u32,
+    regions: u32,
 }
 
 impl Recipe {
@@ -97,7 +97,7 @@ impl Recipe {
             first_triangle: mesh.triangles.start,
             sharers: sharers(count),
             noise_offset_m: noise.drift_m_per_s.map(|m_per_s| m_per_s * secs),
-            pad: 0,
+            regions: room.regions,
         }
     }
 }
@@ -112,5 +112,5 @@ mod tests {
     use super::*;
     use crate::gpu::layout_test;
 
-    layout_test!(lies_as_its_twin: RecipeUniform, "Recipe" of "shapes/surface/bounds" { first, count, radius_scale, mass_scale, threshold, cell_m, subdivisions, part, noise_amplitude, noise_per_m, noise_octaves, noise_seed, blocks, entries, active_blocks, vertices, triangles, first_vertex, first_triangle, sharers, noise_offset_m });
+    layout_test!(lies_as_its_twin: RecipeUniform, "Recipe" of "shapes/surface/bounds" { first, count, radius_scale, mass_scale, threshold, cell_m, subdivisions, part, noise_amplitude, noise_per_m, noise_octaves, noise_seed, blocks, entries, active_blocks, vertices, triangles, first_vertex, first_triangle, sharers, noise_offset_m, regions });
 }

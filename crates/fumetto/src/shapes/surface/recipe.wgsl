@@ -32,4 +32,6 @@ struct Recipe {
     sharers: u32,
     // How far noise has travelled.
     noise_offset_m: vec3f,
+    // Capacity of the lattice's table.
+    regions: u32,
 }
