@@ -1,5 +1,5 @@
 // Notes in every block's list which particles touch it: first counts, then scatters. Every particle gets
-// some invocations, which share the blocks around it: a few where there are many particles, many where there
+// some invocations, which share the rows of blocks around it: a few where there are many particles, many where there
 // are few, which may be large.
 
 @group(0) @binding(0) var<uniform> recipe: Recipe;
@@ -11,9 +11,13 @@
 @group(0) @binding(4) var<storage, read> starts: array<u32>;
 @group(0) @binding(5) var<storage, read_write> entries: array<u32>;
 
-// The number of the `index`-th block around a particle, if the particle does touch it.
-fn touched_block(blob: Blob, around: Around, index: u32) -> u32 {
-    let place = around.first + place_in(around.size, index);
+// Where the `index`-th row of blocks along x begins.
+fn row_place(around: Around, index: u32) -> vec3i {
+    return around.first + vec3i(0, i32(index % around.size.y), i32(index / around.size.y));
+}
+
+// The number of the block at a place, if the particle does touch it.
+fn touched_block(blob: Blob, place: vec3i) -> u32 {
     if !touches(blob, place, BLOCK) {
         return NOWHERE;
     }
@@ -29,10 +33,13 @@ fn count(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: v
     }
     let blob = blobs[item];
     let around = around(blob, BLOCK);
-    for (var index = invocation % recipe.sharers; index < count_in(around.size); index += recipe.sharers) {
-        let block = touched_block(blob, around, index);
-        if block != NOWHERE {
-            atomicAdd(&tally[block], 1u);
+    for (var index = invocation % recipe.sharers; index < around.size.y * around.size.z; index += recipe.sharers) {
+        let row = row_place(around, index);
+        for (var x = 0; x < i32(around.size.x); x++) {
+            let block = touched_block(blob, row + vec3i(x, 0, 0));
+            if block != NOWHERE {
+                atomicAdd(&tally[block], 1u);
+            }
         }
     }
 }
@@ -47,10 +54,13 @@ fn scatter(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups:
     }
     let blob = blobs[item];
     let around = around(blob, BLOCK);
-    for (var index = invocation % recipe.sharers; index < count_in(around.size); index += recipe.sharers) {
-        let block = touched_block(blob, around, index);
-        if block != NOWHERE {
-            entries[starts[block] + atomicSub(&tally[block], 1u) - 1u] = item;
+    for (var index = invocation % recipe.sharers; index < around.size.y * around.size.z; index += recipe.sharers) {
+        let row = row_place(around, index);
+        for (var x = 0; x < i32(around.size.x); x++) {
+            let block = touched_block(blob, row + vec3i(x, 0, 0));
+            if block != NOWHERE {
+                entries[starts[block] + atomicSub(&tally[block], 1u) - 1u] = item;
+            }
         }
     }
 }

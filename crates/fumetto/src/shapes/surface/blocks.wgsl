@@ -41,6 +41,8 @@ fn state_of(block: u32) -> u32 {
     let middle = low_corner + 0.5 * f32(BLOCK) * lattice.cell_m;
     let half_m = HALF_BOX * lattice.cell_m;
     let inside_units = min(UNITS * (1.0 + recipe.noise_amplitude), MOST_UNITS);
+    // Where none spans a block, none is surely inside.
+    let all_are_small = lattice.widest_m < length(vec3f(half_m));
     var least = 0u;
     var most = 0u;
     for (var at = starts[block]; at < starts[block + 1u]; at++) {
@@ -52,6 +54,9 @@ fn state_of(block: u32) -> u32 {
         most = min(most + u32(ceil(units_at(blob, dot(near, near)))), FULL);
         if least > u32(inside_units) + MARGIN {
             return INSIDE;
+        }
+        if all_are_small && !surely_outside(most) {
+            return ACTIVE;
         }
     }
     return select(ACTIVE, OUTSIDE, surely_outside(most));

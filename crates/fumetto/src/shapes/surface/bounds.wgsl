@@ -11,7 +11,9 @@ struct Share {
     radii: f32,
     squares: f32,
     cubes: f32,
-    pad: vec2f,
+    // The largest radius.
+    widest: f32,
+    pad: f32,
 }
 
 @group(0) @binding(0) var<uniform> recipe: Recipe;
@@ -36,7 +38,7 @@ fn blob_of(puff: Puff) -> Blob {
 }
 
 fn nothing() -> Share {
-    return Share(vec3f(3e38), 0.0, vec3f(-3e38), 0.0, 0.0, 0.0, vec2f(0.0));
+    return Share(vec3f(3e38), 0.0, vec3f(-3e38), 0.0, 0.0, 0.0, 0.0, 0.0);
 }
 
 fn share_of(blob: Blob) -> Share {
@@ -44,7 +46,7 @@ fn share_of(blob: Blob) -> Share {
         return nothing();
     }
     let r = blob.radius;
-    return Share(blob.center - r, 1.0, blob.center + r, r, r * r, r * r * r, vec2f(0.0));
+    return Share(blob.center - r, 1.0, blob.center + r, r, r * r, r * r * r, r, 0.0);
 }
 
 fn together(a: Share, b: Share) -> Share {
@@ -55,21 +57,33 @@ fn together(a: Share, b: Share) -> Share {
         a.radii + b.radii,
         a.squares + b.squares,
         a.cubes + b.cubes,
-        vec2f(0.0),
+        max(a.widest, b.widest),
+        0.0,
     );
 }
 
-// Adds up all lanes' shares.
+// Adds up all lanes' shares: sixteen lanes sixteen each, and one lane these. Barriers are what costs most where a
+// processor draws, and this has few.
 fn gather(lane: u32, own: Share) -> Share {
     gathered[lane] = own;
-    for (var half = 128u; half > 0u; half /= 2u) {
-        workgroupBarrier();
-        if lane < half {
-            gathered[lane] = together(gathered[lane], gathered[lane + half]);
-        }
+    workgroupBarrier();
+    if lane < 16u {
+        gathered[16u * lane] = sum_of(16u * lane, 1u);
+    }
+    workgroupBarrier();
+    if lane == 0u {
+        gathered[0] = sum_of(0u, 16u);
     }
     workgroupBarrier();
     return gathered[0];
+}
+
+fn sum_of(first: u32, stride: u32) -> Share {
+    var sum = gathered[first];
+    for (var index = 1u; index < 16u; index++) {
+        sum = together(sum, gathered[first + stride * index]);
+    }
+    return sum;
 }
 
 @compute @workgroup_size(256)
@@ -137,6 +151,7 @@ fn lay(total: Share) {
     lattice.safe_first = safe.first;
     lattice.safe_cell_m = safe.cell_m;
     lattice.safe_regions = safe.regions;
+    lattice.widest_m = total.widest;
     lattice.active_blocks = 0u;
     lattice.overflow = select(0u, COARSENED, total.count > 0.0 && cell_m > asked_m);
 }

@@ -7,7 +7,7 @@ use super::{polygons, scan::RUN};
 use crate::gpu::Gpu;
 
 /// Words of the `Lattice` before its table.
-const LATTICE_WORDS: u32 = 17;
+const LATTICE_WORDS: u32 = 18;
 /// Blocks of one region: `IN_REGION` of `lattice.wgsl`.
 const IN_REGION: u32 = 512;
 

@@ -28,6 +28,8 @@ struct Lattice {
     kept: u32,
     // What did not fit: the bits below.
     overflow: u32,
+    // The largest particle's radius.
+    widest_m: f32,
     // Which of the kept ones each region is, or `NOWHERE`.
     table: array<u32>,
 }
