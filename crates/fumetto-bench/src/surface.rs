@@ -6,7 +6,7 @@ use anyhow::Context as _;
 use fumetto::{Engine, Player};
 
 use crate::{
-    cube::{Cube, FILE},
+    cube::{Cube, FILE, SPLIT},
     measure::{Budget, Made, Samples, rounds},
     scene,
     subsystem::Subsystem,
@@ -17,7 +17,7 @@ pub(crate) const SURFACE: Subsystem = Subsystem {
     title: "reading a cube full of particles, and the surface around them",
     counted: "particles",
     sizes: &[12, 200, 10_000, 100_000, 1_000_000],
-    variants: &["puffs", "22 cells", "64 cells", "128 cells", "256 cells"],
+    variants: &["puffs", "22 cells", "64 cells", "128 cells", "256 cells", "two near", "two far"],
     measure,
 };
 
@@ -37,7 +37,8 @@ fn measure(
         .iter()
         .map(|variant| {
             let shape = shape(variant).context("there is no such variant")?;
-            let player = engine.play(scene::load(variant, &text(&shape))?, Box::new(cube.clone()))?;
+            let player =
+                engine.play(scene::load(variant, &text(variant, &shape))?, Box::new(cube.clone()))?;
             let mut case = Running { player, frame: 0 };
             next_frame(engine, &mut case)?;
             Ok(case)
@@ -63,11 +64,21 @@ fn shape(variant: &str) -> Option<String> {
     if variant == "puffs" {
         return Some("puffs = {}".to_owned());
     }
+    if split(variant).is_some() {
+        // Half as many overlap as in the cube.
+        return Some("surface = { threshold = 0.25, per_radius = 2 }".to_owned());
+    }
     let cells = variant.strip_suffix(" cells")?;
     Some(format!("surface = {{ threshold = 0.5, subdivisions = {cells} }}"))
 }
 
-fn text(shape: &str) -> String {
+/// The file of one of the variants with two clouds.
+fn split(variant: &str) -> Option<&'static str> {
+    ["two near", "two far"].iter().position(|name| *name == variant).map(|number| SPLIT[number].0)
+}
+
+fn text(variant: &str, shape: &str) -> String {
+    let file = split(variant).unwrap_or(FILE);
     format!(
         r##"
 format = 1
@@ -78,7 +89,7 @@ target = [0.0, 0.0, 0.0]
 name = "cube"
 kind = "cloud"
 shape = {{ {shape} }}
-particles = "{FILE}"
+particles = "{file}"
 "##
     )
 }
@@ -94,12 +105,14 @@ mod tests {
     #[test]
     fn every_variant_is_a_good_scene() {
         let resolutions = SURFACE.variants.iter().map(|variant| {
-            let scene = scene::load(variant, &text(&shape(variant).unwrap())).unwrap();
+            let scene = scene::load(variant, &text(variant, &shape(variant).unwrap())).unwrap();
             scene.objects[0].shape.surface().map(|surface| surface.resolution)
         });
         let cells = |cells| Some(Resolution::Subdivisions(cells));
-        assert_eq!(resolutions.collect::<Vec<_>>(), [None, cells(22), cells(64), cells(128), cells(256)]);
-        let puffs = scene::load("puffs", &text("puffs = {}")).unwrap();
+        let two = Some(Resolution::PerRadius(2.0));
+        let expected = [None, cells(22), cells(64), cells(128), cells(256), two, two];
+        assert_eq!(resolutions.collect::<Vec<_>>(), expected);
+        let puffs = scene::load("puffs", &text("puffs", "puffs = {}")).unwrap();
         assert!(matches!(puffs.objects[0].shape, Shape::Puffs(_)));
     }
 }

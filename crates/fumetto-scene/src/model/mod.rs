@@ -19,6 +19,7 @@ mod smoke;
 mod style;
 mod surface;
 mod surface_plan;
+mod surface_spread;
 mod tones;
 mod volume;
 mod volume_plan;

@@ -3,12 +3,25 @@
 
 use std::f32::consts::PI;
 
+use super::surface_spread::Spread;
 use crate::{Emitter, Particle, Resolution, Smoke, Surface};
 
 /// Cells along a block's side. Also in the engine's `lattice.wgsl`.
-const BLOCK: u64 = 4;
+pub(super) const BLOCK: u64 = 4;
 /// Also in the engine's `lattice.wgsl`.
 const POINTS: u64 = BLOCK * BLOCK * BLOCK;
+/// Blocks along a region's side. Also in the engine's `lattice.wgsl`.
+const REGION: u64 = 8;
+/// Cells along it.
+pub(super) const REGION_CELLS: u64 = BLOCK * REGION;
+/// Blocks in a region.
+const IN_REGION: u64 = REGION * REGION * REGION;
+/// A table of this many regions is 4 MiB. Where the box around everything has more, cells are made larger.
+const MOST_REGIONS: u64 = 1 << 20;
+/// Regions that there is room for in the table where nobody can tell how far particles go.
+const FAR_REGIONS: u32 = 1 << 16;
+/// Fewer regions than this do not even have room for one small particle: it may touch as many.
+const LEAST_REGIONS: u64 = 8;
 /// A table of this many blocks is 16 MiB; cells that would need more are made larger.
 const MOST_BLOCKS: u64 = 1 << 22;
 /// Cells along the longest side that there is room for where nobody can tell how far particles go.
@@ -22,6 +35,11 @@ const MOST_CELLS: f32 = 256.0;
 const LEAST_CELLS: f32 = 8.0;
 /// Of smoke, so many particles may be as wide as all of it is.
 const WIDE_PARTICLES: u64 = 64;
+/// Blocks on whose lists these may be together: beyond, cells are made larger.
+const MOST_WIDE_ENTRIES: u64 = 1 << 22;
+/// Of particles that have fewer cells to their radius than this, and overlap as many as `OVERLAP`, the engine's
+/// `blocks.wgsl` cannot tell without sampling that they fill a block: its corners are 3.5 cells from its middle.
+const UNSURE_CELLS: f64 = 9.0;
 /// Of many particles, so many may overlap everywhere.
 const OVERLAP: f32 = 8.0;
 
@@ -57,11 +75,14 @@ pub enum Spacing {
 pub struct SurfaceRoom {
     /// Particles that it is made of.
     pub particles: u32,
-    /// Blocks of 4³ cells within the bounds. Where more would be needed, cells are made larger.
+    /// Regions of 8³ blocks in the box around all particles. Where more would be needed, cells are made larger.
+    pub regions: u32,
+    /// Blocks of 4³ cells in those regions that particles touch. Likewise.
     pub blocks: u32,
     /// Particles on the lists of all blocks together. Likewise.
     pub entries: u32,
-    /// Blocks that the surface may cross. What is beyond is left out, as are vertices and triangles.
+    /// Blocks that the surface may cross, for all that is known before they are sampled. What is beyond is left
+    /// out, as are vertices and triangles.
     pub active: u32,
     /// Corners of triangles.
     pub vertices: u32,
@@ -88,7 +109,11 @@ impl Surface {
             Resolution::Picture(share) => Spacing::Picture { share, most: most_cells(share) },
             _ => Spacing::Cell(cell_m),
         };
-        SurfacePlan { spacing, room: SurfaceRoom::of(radii, cells) }
+        let mut room = SurfaceRoom::of(radii, cells);
+        if let Some(spread) = Spread::of(particles, self.size, cell_m) {
+            room = room.within(spread);
+        }
+        SurfacePlan { spacing, room }
     }
 
     /// For particles of which every frame has others.
@@ -136,15 +161,20 @@ impl Surface {
     fn plan_moving(&self, count: u64, mean_m: f32, largest_m: f32) -> SurfacePlan {
         let of_cell = |cell_m: f32| {
             let cell_m = if cell_m > 0.0 { cell_m } else { 1.0 };
-            let room = SurfaceRoom::of([(count, largest_m / cell_m)], FAR_CELLS);
+            let mut room = SurfaceRoom::of([(count, largest_m / cell_m)], FAR_CELLS);
+            room.regions = FAR_REGIONS;
             SurfacePlan { spacing: Spacing::Cell(cell_m), room }
         };
         let along = |cells: f32, spacing| {
             let wide = WIDE_PARTICLES.min(count);
             // Balls that fill a cube of side 1 so many times.
             let share = (OVERLAP * 0.75 / (PI * count.max(1) as f32)).cbrt().min(0.5);
-            let radii = [(wide, 0.5 * cells), (count - wide, share * cells)];
-            SurfacePlan { spacing, room: SurfaceRoom::of(radii, cells as u32) }
+            let mut room = SurfaceRoom::of([(count - wide, share * cells)], cells as u32);
+            let wide_room = SurfaceRoom::of([(wide, 0.5 * cells)], cells as u32);
+            let wide_entries = u64::from(wide_room.entries).min(MOST_WIDE_ENTRIES) as u32;
+            room.particles = u32::try_from(count.max(1)).unwrap_or(u32::MAX);
+            room.entries = room.entries.saturating_add(wide_entries);
+            SurfacePlan { spacing, room }
         };
         match self.resolution {
             Resolution::Cell(cell_m) => of_cell(cell_m),
@@ -188,29 +218,49 @@ impl SurfaceRoom {
     /// surface of a cube around it all.
     #[must_use]
     pub fn of(particles: impl IntoIterator<Item = (u64, f32)>, cells: u32) -> Self {
-        let (mut count, mut entries) = (0_u64, 0_u64);
+        let (mut count, mut sum, mut most, mut usual) = (0_u64, 0.0_f64, 0.0_f64, 0.0_f64);
         for (more, radius_cells) in particles {
-            // See `touched` in the engine's `bounds.wgsl`. The cast saturates.
-            let touched = (0.5 * f64::from(radius_cells.max(0.0)) + 2.2).powi(3).ceil() as u64;
+            // See `touched` in the engine's `bounds.wgsl`.
+            let touched = |wider: f64| (0.5 * f64::from(radius_cells.max(0.0)) + wider).powi(3);
             count = count.saturating_add(more);
-            entries = entries.saturating_add(more.saturating_mul(touched));
+            sum += more as f64 * f64::from(radius_cells.max(0.0));
+            most += more as f64 * touched(2.2);
+            usual += more as f64 * touched(1.125);
         }
+        // Several standard deviations of a sum of so many, for those that lie anywhere. The cast saturates.
+        let entries = most.min(usual * (1.0 + 4.0 / (count.max(1) as f64).sqrt())).ceil() as u64;
+        let regions_along = u64::from(cells).div_ceil(REGION_CELLS).saturating_add(2);
+        let regions = regions_along.saturating_pow(3).clamp(LEAST_REGIONS, MOST_REGIONS);
         let along = u64::from(cells).div_ceil(BLOCK).saturating_add(3);
-        let blocks = along.saturating_pow(3).min(MOST_BLOCKS);
+        let blocks = regions.saturating_mul(IN_REGION).min(MOST_BLOCKS);
         let faces = along.saturating_pow(2).saturating_mul(6 * 3);
-        let active = blocks.min(faces);
+        let is_unsure = sum < UNSURE_CELLS * count as f64;
+        let active = blocks.min(if is_unsure { along.saturating_pow(3) } else { faces });
         // A plane crosses 1.5 edges for every square that its cells' faces are large, on average; a surface
         // without a border has two triangles for each vertex.
         let vertices = (active * POINTS).min(faces.saturating_mul(BLOCK * BLOCK * 3 / 2));
         let within = |count: u64| u32::try_from(count).unwrap_or(u32::MAX);
         Self {
             particles: within(count.max(1)),
+            regions: within(regions),
             blocks: within(blocks),
             entries: within(entries.max(1)),
             active: within(active),
             vertices: within(vertices),
             triangles: within(vertices.saturating_mul(2)),
         }
+    }
+
+    /// No more than for particles of which this is known.
+    fn within(self, spread: Spread) -> Self {
+        let within = |count: u64| u32::try_from(count).unwrap_or(u32::MAX);
+        let blocks = within(spread.regions.max(LEAST_REGIONS) * IN_REGION).min(self.blocks);
+        let entries = within(spread.entries.max(1));
+        let faces = spread.faces.saturating_mul(REGION * REGION * 3);
+        let active = self.active.min(blocks).min(entries);
+        let vertices = self.vertices.min(within(faces.saturating_mul(BLOCK * BLOCK * 3 / 2))).max(1);
+        let regions = within(spread.boxed.clamp(LEAST_REGIONS, u64::from(self.regions)));
+        Self { regions, blocks, entries, active, vertices, triangles: vertices.saturating_mul(2), ..self }
     }
 
     /// Bytes of graphics memory that it takes.
@@ -228,15 +278,19 @@ impl SurfaceRoom {
 
     /// What there is, how many, and bytes for each.
     #[must_use]
-    pub fn parts(&self) -> [(&'static str, u64, u64); 6] {
+    pub fn parts(&self) -> [(&'static str, u64, u64); 8] {
         [
             // A blob, and its part in a share of 64 bytes for each 256.
             ("particles", u64::from(self.particles), 33),
+            // Where it is in the table, whether it is touched, and how many are before it.
+            ("regions of blocks", u64::from(self.regions), 12),
             // Tally, start, state, whether crossed, slot; a run for each 32.
             ("blocks of cells", u64::from(self.blocks), 21),
             ("particles on blocks' lists", u64::from(self.entries), 4),
-            // What is crossed, signs, number, counts and starts.
-            ("blocks that the surface crosses", u64::from(self.active), 92),
+            // What is crossed.
+            ("blocks that the surface crosses", u64::from(self.active), 56),
+            // Signs, place and number, counts and starts.
+            ("blocks that are sampled", u64::from(self.active), 48),
             ("vertices", u64::from(self.vertices), 16),
             ("triangles", u64::from(self.triangles), 16),
         ]
@@ -247,6 +301,7 @@ impl SurfaceRoom {
     pub fn or(self, other: Self) -> Self {
         Self {
             particles: self.particles.max(other.particles),
+            regions: self.regions.max(other.regions),
             blocks: self.blocks.max(other.blocks),
             entries: self.entries.max(other.entries),
             active: self.active.max(other.active),

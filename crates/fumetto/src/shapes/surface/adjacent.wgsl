@@ -7,7 +7,7 @@
 @group(0) @binding(0) var<uniform> recipe: Recipe;
 @group(0) @binding(1) var<storage, read> lattice: Lattice;
 @group(0) @binding(2) var<storage, read> states: array<u32>;
-@group(0) @binding(3) var<storage, read> active_blocks: array<u32>;
+@group(0) @binding(3) var<storage, read> active_blocks: array<ActiveBlock>;
 @group(0) @binding(4) var<storage, read> crossed: array<Crossed>;
 @group(0) @binding(5) var<storage, read> polygons: array<vec2u>;
 @group(0) @binding(6) var<storage, read> triangle_starts: array<u32>;
@@ -25,7 +25,7 @@ struct Cell {
 
 // State of the block in which a place is, counted from the first cell of `block`.
 fn state_at(block: vec3i, place: vec3i) -> u32 {
-    let number = block_number(lattice.blocks, block + (place >> vec3u(2u)));
+    let number = block_number(block + (place >> vec3u(2u)));
     if number == NOWHERE {
         return OUTSIDE;
     }
@@ -118,7 +118,7 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: ve
     if slot >= lattice.active_blocks {
         return;
     }
-    let block = block_place(lattice.blocks, active_blocks[slot]);
+    let block = active_blocks[slot].place;
     let filled = crossed[slot].ones | crossed[slot].twos | crossed[slot].fours;
     for (var index = lane % 4u; index < bits_of(filled); index += 4u) {
         let place = vec3i(local_place(nth_point(filled, index)));

@@ -1,5 +1,5 @@
 // Notes in every block's list which particles touch it: first counts, then scatters. Every particle gets
-// some invocations, which share the blocks around it: a few where there are many particles, many where there
+// some invocations, which share the rows of blocks around it: a few where there are many particles, many where there
 // are few, which may be large.
 
 @group(0) @binding(0) var<uniform> recipe: Recipe;
@@ -11,31 +11,17 @@
 @group(0) @binding(4) var<storage, read> starts: array<u32>;
 @group(0) @binding(5) var<storage, read_write> entries: array<u32>;
 
-// Blocks around one particle.
-struct Around {
-    first: vec3i,
-    blocks: vec3u,
+// Where the `index`-th row of blocks along x begins.
+fn row_place(around: Around, index: u32) -> vec3i {
+    return around.first + vec3i(0, i32(index % around.size.y), i32(index / around.size.y));
 }
 
-fn around(blob: Blob) -> Around {
-    if blob.radius == 0.0 {
-        return Around(vec3i(0), vec3u(0u));
+// The number of the block at a place, if the particle does touch it.
+fn touched_block(blob: Blob, place: vec3i) -> u32 {
+    if !touches(blob, place, BLOCK) {
+        return NOWHERE;
     }
-    let last = vec3i(last_block(blob.center + blob.radius, lattice.cell_m)) - lattice.first;
-    let first = vec3i(first_block(blob.center - blob.radius, lattice.cell_m)) - lattice.first;
-    let within = max(first, vec3i(0));
-    return Around(within, vec3u(max(min(last, vec3i(lattice.blocks) - 1) - within + 1, vec3i(0))));
-}
-
-// The number of the `index`-th block around a particle, if the particle does touch it.
-fn touched_block(blob: Blob, around: Around, index: u32) -> u32 {
-    let at = around.first + block_place(around.blocks, index);
-    let side = f32(BLOCK);
-    let low = vec3f((at + lattice.first) * BLOCK);
-    let center = blob.center / lattice.cell_m;
-    let off = center - clamp(center, low, low + side);
-    let reach = blob.radius / lattice.cell_m + SLACK;
-    return select(NOWHERE, block_number(lattice.blocks, at), dot(off, off) <= reach * reach);
+    return block_number(place);
 }
 
 @compute @workgroup_size(64)
@@ -46,11 +32,14 @@ fn count(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: v
         return;
     }
     let blob = blobs[item];
-    let around = around(blob);
-    for (var index = invocation % recipe.sharers; index < block_count(around.blocks); index += recipe.sharers) {
-        let block = touched_block(blob, around, index);
-        if block != NOWHERE {
-            atomicAdd(&tally[block], 1u);
+    let around = around(blob, BLOCK);
+    for (var index = invocation % recipe.sharers; index < around.size.y * around.size.z; index += recipe.sharers) {
+        let row = row_place(around, index);
+        for (var x = 0; x < i32(around.size.x); x++) {
+            let block = touched_block(blob, row + vec3i(x, 0, 0));
+            if block != NOWHERE {
+                atomicAdd(&tally[block], 1u);
+            }
         }
     }
 }
@@ -64,11 +53,14 @@ fn scatter(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups:
         return;
     }
     let blob = blobs[item];
-    let around = around(blob);
-    for (var index = invocation % recipe.sharers; index < block_count(around.blocks); index += recipe.sharers) {
-        let block = touched_block(blob, around, index);
-        if block != NOWHERE {
-            entries[starts[block] + atomicSub(&tally[block], 1u) - 1u] = item;
+    let around = around(blob, BLOCK);
+    for (var index = invocation % recipe.sharers; index < around.size.y * around.size.z; index += recipe.sharers) {
+        let row = row_place(around, index);
+        for (var x = 0; x < i32(around.size.x); x++) {
+            let block = touched_block(blob, row + vec3i(x, 0, 0));
+            if block != NOWHERE {
+                entries[starts[block] + atomicSub(&tally[block], 1u) - 1u] = item;
+            }
         }
     }
 }

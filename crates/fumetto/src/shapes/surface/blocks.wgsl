@@ -4,15 +4,15 @@
 // Bounds are summed as integers, so that they do not depend on the order of a list.
 
 @group(0) @binding(0) var<uniform> recipe: Recipe;
-@group(0) @binding(1) var<storage, read_write> lattice: Lattice;
+@group(0) @binding(1) var<storage, read> lattice: Lattice;
 @group(0) @binding(2) var<storage, read> blobs: array<Blob>;
 @group(0) @binding(3) var<storage, read> starts: array<u32>;
 @group(0) @binding(4) var<storage, read> entries: array<u32>;
 @group(0) @binding(5) var<storage, read_write> states: array<u32>;
 // 1 where the surface may cross the block.
 @group(0) @binding(6) var<storage, read_write> crossed: array<u32>;
-@group(0) @binding(7) var<storage, read> slots: array<u32>;
-@group(0) @binding(8) var<storage, read_write> active_blocks: array<u32>;
+// Regions that are kept.
+@group(0) @binding(7) var<storage, read> kept: array<u32>;
 
 // What the threshold counts for.
 const UNITS: f32 = 4096.0;
@@ -37,10 +37,12 @@ fn surely_outside(units: u32) -> bool {
 }
 
 fn state_of(block: u32) -> u32 {
-    let low_corner = point_place((lattice.first + block_place(lattice.blocks, block)) * BLOCK, lattice.cell_m);
+    let low_corner = point_place(kept_place(block) * BLOCK, lattice.cell_m);
     let middle = low_corner + 0.5 * f32(BLOCK) * lattice.cell_m;
     let half_m = HALF_BOX * lattice.cell_m;
     let inside_units = min(UNITS * (1.0 + recipe.noise_amplitude), MOST_UNITS);
+    // Where none spans a block, none is surely inside.
+    let all_are_small = lattice.widest_m < length(vec3f(half_m));
     var least = 0u;
     var most = 0u;
     for (var at = starts[block]; at < starts[block + 1u]; at++) {
@@ -53,35 +55,24 @@ fn state_of(block: u32) -> u32 {
         if least > u32(inside_units) + MARGIN {
             return INSIDE;
         }
+        if all_are_small && !surely_outside(most) {
+            return ACTIVE;
+        }
     }
     return select(ACTIVE, OUTSIDE, surely_outside(most));
 }
 
 @compute @workgroup_size(256)
-fn classify(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: vec3u, @builtin(local_invocation_index) lane: u32) {
+fn main(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: vec3u, @builtin(local_invocation_index) lane: u32) {
     let block = (group.y * groups.x + group.x) * 256u + lane;
     if block >= recipe.blocks {
         return;
     }
     var state = OUTSIDE;
-    if block < block_count(lattice.blocks) {
+    if block < lattice.kept * IN_REGION {
         state = state_of(block);
     }
     crossed[block] = u32(state == ACTIVE);
     // Until it has a slot. One for which there is no room counts as outside.
     states[block] = select(state, OUTSIDE, state == ACTIVE);
-}
-
-@compute @workgroup_size(256)
-fn enlist(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: vec3u, @builtin(local_invocation_index) lane: u32) {
-    let block = (group.y * groups.x + group.x) * 256u + lane;
-    if block < recipe.blocks && crossed[block] == 1u && slots[block] < recipe.active_blocks {
-        active_blocks[slots[block]] = block;
-        states[block] = ACTIVE + slots[block];
-    }
-    if block == 0u {
-        let wanted = slots[recipe.blocks];
-        lattice.active_blocks = min(wanted, recipe.active_blocks);
-        lattice.overflow |= select(0u, BLOCKS_LEFT_OUT, wanted > recipe.active_blocks);
-    }
 }

@@ -13,7 +13,8 @@ struct Share {
     cubes: f32,
     // From the eye to the nearest ball; below zero inside one.
     nearest: f32,
-    pad: f32,
+    // The largest radius.
+    widest: f32,
 }
 
 @group(0) @binding(0) var<uniform> recipe: Recipe;
@@ -47,7 +48,7 @@ fn share_of(blob: Blob) -> Share {
     }
     let r = blob.radius;
     let nearest = distance(blob.center, recipe.eye) - r;
-    return Share(blob.center - r, 1.0, blob.center + r, r, r * r, r * r * r, nearest, 0.0);
+    return Share(blob.center - r, 1.0, blob.center + r, r, r * r, r * r * r, nearest, r);
 }
 
 fn together(a: Share, b: Share) -> Share {
@@ -59,21 +60,32 @@ fn together(a: Share, b: Share) -> Share {
         a.squares + b.squares,
         a.cubes + b.cubes,
         min(a.nearest, b.nearest),
-        0.0,
+        max(a.widest, b.widest),
     );
 }
 
-// Adds up all lanes' shares.
+// Adds up all lanes' shares: sixteen lanes sixteen each, and one lane these. Barriers are what costs most where a
+// processor draws, and this has few.
 fn gather(lane: u32, own: Share) -> Share {
     gathered[lane] = own;
-    for (var half = 128u; half > 0u; half /= 2u) {
-        workgroupBarrier();
-        if lane < half {
-            gathered[lane] = together(gathered[lane], gathered[lane + half]);
-        }
+    workgroupBarrier();
+    if lane < 16u {
+        gathered[16u * lane] = sum_of(16u * lane, 1u);
+    }
+    workgroupBarrier();
+    if lane == 0u {
+        gathered[0] = sum_of(0u, 16u);
     }
     workgroupBarrier();
     return gathered[0];
+}
+
+fn sum_of(first: u32, stride: u32) -> Share {
+    var sum = gathered[first];
+    for (var index = 1u; index < 16u; index++) {
+        sum = together(sum, gathered[first + stride * index]);
+    }
+    return sum;
 }
 
 @compute @workgroup_size(256)
@@ -100,7 +112,7 @@ fn fit(@builtin(local_invocation_index) lane: u32) {
     }
     let total = gather(lane, own);
     if lane == 0u {
-        lattice = fitted(total);
+        lay(total);
     }
 }
 
@@ -113,44 +125,87 @@ const LEAST_CELLS: f32 = 8.0;
 // In cells. Single floats place what lies this far from the origin to within a hundredth of a cell.
 const FARTHEST: f32 = 65536.0;
 
-fn fitted(total: Share) -> Lattice {
-    if total.count == 0.0 {
-        return Lattice(vec3i(0), 1.0, vec3u(0u), 0u, 0u);
-    }
-    var cell_m = recipe.cell_m;
-    if cell_m == 0.0 {
+// A lattice around everything.
+struct Frame {
+    first: vec3i,
+    cell_m: f32,
+    regions: vec3u,
+}
+
+fn lay(total: Share) {
+    var asked_m = recipe.cell_m;
+    if asked_m == 0.0 {
         let extent = total.high - total.low;
         let longest = max(extent.x, max(extent.y, extent.z));
         let finest = longest / recipe.subdivisions;
         let coarsest = longest / min(LEAST_CELLS, recipe.subdivisions);
         let wanted = clamp(recipe.cell_per_m * max(total.nearest, 0.0), finest, coarsest);
-        cell_m = exp2(ceil(4.0 * log2(wanted)) / 4.0);
+        asked_m = exp2(ceil(4.0 * log2(wanted)) / 4.0);
     }
-    var overflow = 0u;
-    for (var step = 0u; step < STEPS && !fits(total, cell_m); step++) {
+    var cell_m = asked_m;
+    for (var step = 0u; step < STEPS && !may_fit(total, cell_m); step++) {
         cell_m *= STEP;
-        overflow = COARSENED;
     }
-    if !fits(total, cell_m) {
-        return Lattice(vec3i(0), 1.0, vec3u(0u), 0u, overflow);
+    var safe_m = cell_m;
+    for (var step = 0u; step < STEPS && !fits(total, safe_m); step++) {
+        safe_m *= STEP;
     }
-    let first = first_block(total.low, cell_m);
-    let blocks = last_block(total.high, cell_m) - first + 1.0;
-    return Lattice(vec3i(first), cell_m, vec3u(blocks), 0u, overflow);
+    let frame = frame_of(total, cell_m);
+    let safe = frame_of(total, safe_m);
+    lattice.first = frame.first;
+    lattice.cell_m = frame.cell_m;
+    lattice.regions = frame.regions;
+    lattice.safe_first = safe.first;
+    lattice.safe_cell_m = safe.cell_m;
+    lattice.safe_regions = safe.regions;
+    lattice.widest_m = total.widest;
+    lattice.active_blocks = 0u;
+    lattice.overflow = select(0u, COARSENED, total.count > 0.0 && cell_m > asked_m);
 }
 
-fn fits(total: Share, cell_m: f32) -> bool {
+fn frame_of(total: Share, cell_m: f32) -> Frame {
+    if total.count == 0.0 || !may_fit(total, cell_m) {
+        return Frame(vec3i(0), 1.0, vec3u(0u));
+    }
+    let first = first_cube(total.low, cell_m, REGION * BLOCK);
+    return Frame(vec3i(first) * REGION, cell_m, vec3u(regions_around(total, cell_m)));
+}
+
+fn regions_around(total: Share, cell_m: f32) -> vec3f {
+    let side = REGION * BLOCK;
+    return last_cube(total.high, cell_m, side) - first_cube(total.low, cell_m, side) + 1.0;
+}
+
+// Whether there is room for what particles touch if these are as many as one would expect, or a few times as
+// many. `regions.wgsl` counts them.
+fn may_fit(total: Share, cell_m: f32) -> bool {
     let farthest = max(abs(total.low), abs(total.high)) / cell_m;
-    let blocks = last_block(total.high, cell_m) - first_block(total.low, cell_m) + 1.0;
+    let regions = regions_around(total, cell_m);
     return all(farthest <= vec3f(FARTHEST))
-        && blocks.x * blocks.y * blocks.z <= f32(recipe.blocks)
-        && touched(total, cell_m) <= f32(recipe.entries);
+        && regions.x * regions.y * regions.z <= f32(recipe.regions)
+        && touched(total, cell_m, USUAL) <= min(UNUSUALLY_MANY * f32(recipe.entries), MOST_COUNTED);
 }
 
-// The most blocks that all particles together can touch: (r / 2c + 2.2)³ each, for a particle is
-// r / 2c blocks wide, and 2.2 allows for `SLACK` and for blocks that it touches at their rim.
-fn touched(total: Share, cell_m: f32) -> f32 {
+// Whether there is room whatever they touch.
+fn fits(total: Share, cell_m: f32) -> bool {
+    let regions = regions_around(total, cell_m);
+    return may_fit(total, cell_m)
+        && regions.x * regions.y * regions.z * f32(IN_REGION) <= f32(recipe.blocks)
+        && touched(total, cell_m, MOST_WIDER) <= f32(recipe.entries);
+}
+
+// Blocks that boxes around particles are wider than the r / 2c of the particles: at most, for `SLACK` and those
+// that they touch at their rim; and on average, if particles lie anywhere.
+const MOST_WIDER: f32 = 2.2;
+const USUAL: f32 = 1.125;
+const UNUSUALLY_MANY: f32 = 4.0;
+// A sum of boxes, of which each may be (2.2 / 1.125)³ times as large, is less than 2³².
+const MOST_COUNTED: f32 = 5e8;
+
+// Blocks in the boxes of all particles together: the sum of (r / 2c + wider)³.
+fn touched(total: Share, cell_m: f32, wider: f32) -> f32 {
     let per_cell = 0.5 / cell_m;
-    return ((total.cubes * per_cell + 6.6 * total.squares) * per_cell + 14.52 * total.radii) * per_cell
-        + 10.648 * total.count;
+    let square = wider * wider;
+    return ((total.cubes * per_cell + 3.0 * wider * total.squares) * per_cell + 3.0 * square * total.radii) * per_cell
+        + square * wider * total.count;
 }

@@ -6,6 +6,11 @@ use wgpu::util::DeviceExt as _;
 use super::{polygons, scan::RUN};
 use crate::gpu::Gpu;
 
+/// Words of the `Lattice` before its table.
+const LATTICE_WORDS: u32 = 18;
+/// Blocks of one region: `IN_REGION` of `lattice.wgsl`.
+const IN_REGION: u32 = 512;
+
 /// What extraction works with. One serves any number of surfaces, one after the other.
 #[derive(Debug)]
 pub(crate) struct Workspace {
@@ -15,6 +20,11 @@ pub(crate) struct Workspace {
     pub(super) shares: wgpu::Buffer,
     /// The `Lattice` of `lattice.wgsl`.
     pub(super) lattice: wgpu::Buffer,
+    /// Whether a particle touches each region, while these are looked for; and how many are before each.
+    pub(super) marks: wgpu::Buffer,
+    pub(super) ranks: wgpu::Buffer,
+    /// Numbers of the regions that are kept.
+    pub(super) kept: wgpu::Buffer,
     /// Particles that touch each block while they are counted.
     pub(super) tally: wgpu::Buffer,
     /// Where the list of each block begins in `entries`.
@@ -26,7 +36,7 @@ pub(crate) struct Workspace {
     pub(super) slots: wgpu::Buffer,
     /// Scratch of `scan.wgsl`.
     pub(super) runs: wgpu::Buffer,
-    /// Numbers of the active blocks.
+    /// `ActiveBlock`s of `lattice.wgsl`.
     pub(super) active: wgpu::Buffer,
     /// Workgroups for kernels that run over these, one for every eight.
     pub(super) dispatch: wgpu::Buffer,
@@ -60,15 +70,22 @@ impl Workspace {
         Self {
             blobs: words("shapes.surface.blobs", room.particles, 8),
             shares: words("shapes.surface.shares", room.particles.div_ceil(256), 16),
-            lattice: buffer(gpu, "shapes.surface.lattice", 48, wgpu::BufferUsages::COPY_SRC),
+            lattice: words("shapes.surface.lattice", LATTICE_WORDS + room.regions, 1),
+            marks: words("shapes.surface.marks", room.regions + 1, 1),
+            ranks: words("shapes.surface.ranks", room.regions + 1, 1),
+            kept: words("shapes.surface.kept", room.blocks.div_ceil(IN_REGION), 1),
             tally: words("shapes.surface.tally", room.blocks, 1),
             starts: words("shapes.surface.starts", room.blocks + 1, 1),
             entries: words("shapes.surface.entries", room.entries, 1),
             states: words("shapes.surface.states", room.blocks, 1),
             crossed: words("shapes.surface.crossed", room.blocks, 1),
             slots: words("shapes.surface.slots", room.blocks + 1, 1),
-            runs: words("shapes.surface.runs", room.blocks.max(room.active).div_ceil(RUN), 1),
-            active: words("shapes.surface.active", room.active, 1),
+            runs: words(
+                "shapes.surface.runs",
+                room.regions.max(room.blocks).max(room.active).div_ceil(RUN),
+                1,
+            ),
+            active: words("shapes.surface.active", room.active, 4),
             dispatch: buffer(gpu, "shapes.surface.dispatch", 12, wgpu::BufferUsages::INDIRECT),
             long: buffer(gpu, "shapes.surface.long", 12, wgpu::BufferUsages::INDIRECT),
             signs: words("shapes.surface.signs", room.active, 4),

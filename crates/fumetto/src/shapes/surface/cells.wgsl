@@ -4,7 +4,7 @@
 @group(0) @binding(0) var<uniform> recipe: Recipe;
 @group(0) @binding(1) var<storage, read> lattice: Lattice;
 @group(0) @binding(2) var<storage, read> states: array<u32>;
-@group(0) @binding(3) var<storage, read> active_blocks: array<u32>;
+@group(0) @binding(3) var<storage, read> active_blocks: array<ActiveBlock>;
 // Sixteen bits in each of four words.
 @group(0) @binding(4) var<storage, read> signs: array<vec4u>;
 @group(0) @binding(5) var<storage, read> polygons: array<vec2u>;
@@ -20,7 +20,7 @@ fn inside_of(state: u32) -> vec2u {
     return sixteens.xz | (sixteens.yw << vec2u(16u));
 }
 
-fn crossed_of(block: u32, slot: u32) -> Crossed {
+fn crossed_of(block: vec3i, slot: u32) -> Crossed {
     let corners = corners_of(array(
         inside_of(ACTIVE + slot),
         inside_of(state_beyond(block, 1u)),
@@ -59,7 +59,7 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: ve
     var vertices = 0u;
     var triangles = 0u;
     if slot < lattice.active_blocks {
-        let own = crossed_of(active_blocks[slot], slot);
+        let own = crossed_of(active_blocks[slot].place, slot);
         crossed[slot] = own;
         vertices = vertices_of(own);
         triangles = triangles_of(own);

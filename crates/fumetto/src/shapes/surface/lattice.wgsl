@@ -1,20 +1,43 @@
 // Where the field is sampled: a cubic lattice that is anchored at the world's origin, so that it does not
 // swim over moving smoke. It comes in blocks of 4³ cells; a block owns its cells and the points at their
 // lower corners, and a point owns the lattice edges that lead from it along +x, +y and +z.
+//
+// Blocks come in regions of 8³. Only regions that a particle touches are kept, so that what lies between two
+// clouds takes no more than a word of the table for each region. Places of blocks and regions are counted from
+// the world's origin.
 
 const BLOCK: i32 = 4;
+// Blocks along a region's side, and in all of it.
+const REGION: i32 = 8;
+const IN_REGION: u32 = 512u;
 
 struct Lattice {
-    // The first block, counted in blocks from the world's origin.
+    // The first block of the first region.
     first: vec3i,
     // Side of a cell, in metres.
     cell_m: f32,
-    // Blocks along each axis; none where there is no matter.
-    blocks: vec3u,
+    // Regions along each axis; none where there is no matter.
+    regions: vec3u,
     // Blocks that the surface may cross.
     active_blocks: u32,
+    // What the first three are if there is too little room: with cells so large that it fits for sure.
+    safe_first: vec3i,
+    safe_cell_m: f32,
+    safe_regions: vec3u,
+    // Regions that are kept.
+    kept: u32,
     // What did not fit: the bits below.
     overflow: u32,
+    // The largest particle's radius.
+    widest_m: f32,
+    // Which of the kept ones each region is, or `NOWHERE`.
+    table: array<u32>,
+}
+
+// A block that the surface may cross.
+struct ActiveBlock {
+    place: vec3i,
+    number: u32,
 }
 
 // Cells were made larger, so that blocks and particles fit.
@@ -32,20 +55,30 @@ const ACTIVE: u32 = 2u;
 
 const NOWHERE: u32 = 0xffffffffu;
 
-fn block_count(blocks: vec3u) -> u32 {
-    return blocks.x * blocks.y * blocks.z;
+// How many there are in a box.
+fn count_in(box: vec3u) -> u32 {
+    return box.x * box.y * box.z;
 }
 
-// A block's number from its place, counted from the lattice's first.
-fn block_number(blocks: vec3u, at: vec3i) -> u32 {
-    if any(at < vec3i(0)) || any(at >= vec3i(blocks)) {
+// A number from a place in a box, and the other way round.
+fn number_in(box: vec3u, at: vec3u) -> u32 {
+    return (at.z * box.y + at.y) * box.x + at.x;
+}
+
+fn place_in(box: vec3u, number: u32) -> vec3i {
+    return vec3i(vec3u(number % box.x, number / box.x % box.y, number / (box.x * box.y)));
+}
+
+// The number of the block at a place, if its region is kept.
+fn block_number(place: vec3i) -> u32 {
+    let at = place - lattice.first;
+    let region = at >> vec3u(3u);
+    if any(region < vec3i(0)) || any(region >= vec3i(lattice.regions)) {
         return NOWHERE;
     }
-    return (u32(at.z) * blocks.y + u32(at.y)) * blocks.x + u32(at.x);
-}
-
-fn block_place(blocks: vec3u, number: u32) -> vec3i {
-    return vec3i(vec3u(number % blocks.x, number / blocks.x % blocks.y, number / (blocks.x * blocks.y)));
+    let kept = lattice.table[number_in(lattice.regions, vec3u(region))];
+    let within = vec3u(at & vec3i(REGION - 1));
+    return select(kept * IN_REGION + (within.x | (within.y << 3u) | (within.z << 6u)), NOWHERE, kept == NOWHERE);
 }
 
 // A cell's place in its block, and the other way round.

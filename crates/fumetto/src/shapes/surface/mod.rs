@@ -5,24 +5,24 @@
 //! surface is where the sum of all is the threshold.
 //!
 //! ```text
-//! puffs ─▶ bounds ─▶ bins ─▶ blocks ─▶ cells ─▶ mesh
-//!          lattice   who      which     inside   vertices on the true
-//!          around    touches  can the   or not,  surface, triangles,
-//!          them      which    surface   which    arguments of
-//!                    block    cross     case     the draw
+//! puffs ─▶ bounds ─▶ regions ─▶ bins ─▶ blocks ─▶ cells ─▶ mesh
+//!          lattice   where      who      which     inside   vertices on the true
+//!          around    there      touches  can the   or not,  surface, triangles,
+//!          them      is any     which    surface   which    arguments of
+//!                    matter     block    cross     case     the draw
 //! ```
 //!
 //! All of it happens on the GPU, every frame, and nothing is read back. Where cells are lengths on the picture, it
 //! happens when the picture is drawn, and again only where the camera has come so much nearer, or the matter moved
-//! (`sight.rs`). Work is linear in what blocks have
-//! on their lists and in the area of the surface: the inside of a thick cloud is never sampled.
+//! (`sight.rs`). Work is linear in what blocks have on their lists and in the area of the surface: the inside of a
+//! thick cloud is never sampled, and the air between two clouds has no blocks.
 //!
 //! **Marching cubes**, with cases that only look at signs (`polygons.rs`), for this is watertight by
 //! construction and needs no look at neighbours. What it is known for, slivers, is avoided by keeping
 //! vertices away from lattice points and on the true surface (`vertices.wgsl`). Dual methods have better
 //! triangles yet, as many of them, and need neighbours to be manifold.
 //!
-//! **Every run gives the same bytes**: lists are sorted before floats are added up, and vertices and
+//! **Every run gives the same bytes**: sums are exact where lists are in no order, lists are sorted where they are not, and vertices and
 //! triangles come in the order of blocks and cells.
 //!
 //! **What does not fit** is never written out of bounds. Cells are made larger until blocks and lists fit,
@@ -35,11 +35,13 @@ mod blocks;
 mod bounds;
 mod buffers;
 mod cells;
+mod lists;
 mod mesh;
 mod peak;
 mod polygons;
 mod recipe;
 mod refusal;
+mod regions;
 mod scan;
 mod scene;
 mod sight;
@@ -67,9 +69,11 @@ use crate::{
 pub(crate) struct Surface {
     bounds: bounds::Bounds,
     scan: scan::Scan,
+    regions: regions::Regions,
     bins: bins::Bins,
     blocks: blocks::Blocks,
     cells: cells::Cells,
+    lists: lists::Lists,
     meshing: mesh::Meshing,
     adjacent: adjacent::Adjacent,
 }
@@ -79,9 +83,11 @@ impl Surface {
         Self {
             bounds: bounds::Bounds::new(gpu),
             scan: scan::Scan::new(gpu),
+            regions: regions::Regions::new(gpu),
             bins: bins::Bins::new(gpu),
             blocks: blocks::Blocks::new(gpu),
             cells: cells::Cells::new(gpu),
+            lists: lists::Lists::new(gpu),
             meshing: mesh::Meshing::new(gpu),
             adjacent: adjacent::Adjacent::new(gpu),
         }
@@ -102,9 +108,11 @@ impl Surface {
         let count = (recipe.puffs.len() as u32).min(room.particles);
         let job = Job { recipe: &uniform, count, room, work };
         self.bounds.record(frame, job, puffs);
+        self.regions.record(frame, job, &self.scan);
         self.bins.record(frame, job, &self.scan);
         self.blocks.record(frame, job, &self.scan);
         self.cells.record(frame, job, &self.scan);
+        self.lists.record(frame, job);
         self.meshing.record(frame, job, mesh);
         if let Some(adjacent) = &mesh.adjacent {
             self.adjacent.record(frame, job, adjacent);

@@ -1,12 +1,12 @@
-// Blocks that a particle touches.
+// What a particle touches: cubes of so many cells along their side, which are blocks or regions.
 
 // Cells that reaches are widened by: far more than what rounding loses.
 const SLACK: f32 = 0.25;
 
-fn first_block(low: vec3f, cell_m: f32) -> vec3f {
-    return floor((low / cell_m - SLACK) / f32(BLOCK));
+fn first_cube(low: vec3f, cell_m: f32, side: i32) -> vec3f {
+    return floor((low / cell_m - SLACK) / f32(side));
 }
 
-fn last_block(high: vec3f, cell_m: f32) -> vec3f {
-    return floor((high / cell_m + SLACK) / f32(BLOCK));
+fn last_cube(high: vec3f, cell_m: f32, side: i32) -> vec3f {
+    return floor((high / cell_m + SLACK) / f32(side));
 }

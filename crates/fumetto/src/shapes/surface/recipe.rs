@@ -56,7 +56,7 @@ pub(super) struct RecipeUniform {
     noise_offset_m: [f32; 3],
     cell_per_m: f32,
     eye: [f32; 3],
-    pad: u32,
+    regions: u32,
 }
 
 impl Recipe {
@@ -107,7 +107,7 @@ impl Recipe {
             noise_offset_m: noise.drift_m_per_s.map(|m_per_s| m_per_s * secs),
             cell_per_m: kept(share * height_m, 0.0, 1.0 / LEAST),
             eye: eye.to_array(),
-            pad: 0,
+            regions: room.regions,
         }
     }
 }
@@ -122,5 +122,5 @@ mod tests {
     use super::*;
     use crate::gpu::layout_test;
 
-    layout_test!(lies_as_its_twin: RecipeUniform, "Recipe" of "shapes/surface/bounds" { first, count, radius_scale, mass_scale, threshold, cell_m, subdivisions, part, noise_amplitude, noise_per_m, noise_octaves, noise_seed, blocks, entries, active_blocks, vertices, triangles, first_vertex, first_triangle, sharers, noise_offset_m, cell_per_m, eye });
+    layout_test!(lies_as_its_twin: RecipeUniform, "Recipe" of "shapes/surface/bounds" { first, count, radius_scale, mass_scale, threshold, cell_m, subdivisions, part, noise_amplitude, noise_per_m, noise_octaves, noise_seed, blocks, entries, active_blocks, vertices, triangles, first_vertex, first_triangle, sharers, noise_offset_m, cell_per_m, eye, regions });
 }

@@ -35,4 +35,6 @@ struct Recipe {
     // Side of a cell for each metre from the eye to what is nearest; zero where that does not matter.
     cell_per_m: f32,
     eye: vec3f,
+    // Capacity of the lattice's table.
+    regions: u32,
 }

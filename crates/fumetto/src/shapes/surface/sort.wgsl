@@ -1,13 +1,14 @@
-// Sorts the lists of active blocks by particle: scattering left them in any order, and a sum of floats
+// Sorts the lists of blocks that have vertices by particle: scattering left them in any order, and a sum of floats
 // depends on it. Eight invocations sort a list, a workgroup eight lists: each counts what comes before its
 // items.
 
 @group(0) @binding(0) var<storage, read> lattice: Lattice;
 @group(0) @binding(1) var<storage, read> starts: array<u32>;
-@group(0) @binding(2) var<storage, read> active_blocks: array<u32>;
-@group(0) @binding(3) var<storage, read_write> entries: array<u32>;
+@group(0) @binding(2) var<storage, read> active_blocks: array<ActiveBlock>;
+@group(0) @binding(3) var<storage, read> vertex_counts: array<u32>;
+@group(0) @binding(4) var<storage, read_write> entries: array<u32>;
 // Workgroups for lists that are longer than `SHORT`: none where there is no such list.
-@group(0) @binding(4) var<storage, read_write> long: array<atomic<u32>, 3>;
+@group(0) @binding(5) var<storage, read_write> long: array<atomic<u32>, 3>;
 
 // What eight invocations hold: sixteen items each.
 const SHORT: u32 = 128u;
@@ -45,8 +46,8 @@ fn put(first: u32, items: vec4u, ranks: vec4u) {
 fn main(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: vec3u, @builtin(local_invocation_index) lane: u32) {
     let slot = (group.y * groups.x + group.x) * 8u + lane / 8u;
     var list = vec2u(0u);
-    if slot < lattice.active_blocks {
-        let block = active_blocks[slot];
+    if slot < lattice.active_blocks && vertex_counts[slot] > 0u {
+        let block = active_blocks[slot].number;
         list = vec2u(starts[block], starts[block + 1u]);
     }
     if list.y - list.x > SHORT {

@@ -3,8 +3,9 @@
 
 @group(0) @binding(0) var<storage, read> lattice: Lattice;
 @group(0) @binding(1) var<storage, read> starts: array<u32>;
-@group(0) @binding(2) var<storage, read> active_blocks: array<u32>;
-@group(0) @binding(3) var<storage, read_write> entries: array<u32>;
+@group(0) @binding(2) var<storage, read> active_blocks: array<ActiveBlock>;
+@group(0) @binding(3) var<storage, read> vertex_counts: array<u32>;
+@group(0) @binding(4) var<storage, read_write> entries: array<u32>;
 
 // Longer lists only, as in `sort.wgsl`.
 const SHORT: u32 = 128u;
@@ -28,11 +29,12 @@ fn order(first: u32, low: u32, high: u32, length: u32) {
 @compute @workgroup_size(64)
 fn main(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: vec3u, @builtin(local_invocation_index) lane: u32) {
     let slot = group.y * groups.x + group.x;
-    if slot >= lattice.active_blocks {
+    if slot >= lattice.active_blocks || vertex_counts[slot] == 0u {
         return;
     }
-    let first = starts[active_blocks[slot]];
-    let length = starts[active_blocks[slot] + 1u] - first;
+    let block = active_blocks[slot].number;
+    let first = starts[block];
+    let length = starts[block + 1u] - first;
     if length <= SHORT {
         return;
     }

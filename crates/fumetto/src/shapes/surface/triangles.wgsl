@@ -3,7 +3,7 @@
 @group(0) @binding(0) var<uniform> recipe: Recipe;
 @group(0) @binding(1) var<storage, read> lattice: Lattice;
 @group(0) @binding(2) var<storage, read> states: array<u32>;
-@group(0) @binding(3) var<storage, read> active_blocks: array<u32>;
+@group(0) @binding(3) var<storage, read> active_blocks: array<ActiveBlock>;
 @group(0) @binding(4) var<storage, read> crossed: array<Crossed>;
 @group(0) @binding(5) var<storage, read> polygons: array<vec2u>;
 @group(0) @binding(6) var<storage, read> vertex_starts: array<u32>;
@@ -19,7 +19,7 @@ fn inside_of(state: u32) -> vec2u {
 
 // The vertex on a cell's edge. Edges are numbered `4 · axis + 2 · v + u`, where u and v are the steps that
 // lead to the edge's lower end along the next axis and the one after.
-fn vertex_of(block: u32, slot: u32, cell: vec3u, edge: u32) -> u32 {
+fn vertex_of(block: vec3i, slot: u32, cell: vec3u, edge: u32) -> u32 {
     let axis = edge >> 2u;
     var place = cell;
     place[(axis + 1u) % 3u] += edge & 1u;
@@ -37,7 +37,7 @@ fn vertex_of(block: u32, slot: u32, cell: vec3u, edge: u32) -> u32 {
     return vertex_starts[owner] + vertices_before(crossed[owner], axis, local_number(place & vec3u(3u)));
 }
 
-fn fill(block: u32, slot: u32, cell: u32, filling: vec2u, first: u32) {
+fn fill(block: vec3i, slot: u32, cell: u32, filling: vec2u, first: u32) {
     for (var index = 0u; index < triangles_in(filling); index++) {
         if first + index >= recipe.triangles {
             return;
@@ -60,7 +60,7 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: ve
     if slot >= lattice.active_blocks {
         return;
     }
-    let block = active_blocks[slot];
+    let block = active_blocks[slot].place;
     let own = crossed[slot];
     let filled = own.ones | own.twos | own.fours;
     let count = bits_of(filled);

@@ -8,7 +8,7 @@
 @group(0) @binding(2) var<storage, read> blobs: array<Blob>;
 @group(0) @binding(3) var<storage, read> starts: array<u32>;
 @group(0) @binding(4) var<storage, read> entries: array<u32>;
-@group(0) @binding(5) var<storage, read> active_blocks: array<u32>;
+@group(0) @binding(5) var<storage, read> active_blocks: array<ActiveBlock>;
 @group(0) @binding(6) var<storage, read> crossed: array<Crossed>;
 @group(0) @binding(7) var<storage, read> vertex_starts: array<u32>;
 @group(0) @binding(8) var<storage, read_write> vertices: array<Vertex>;
@@ -17,7 +17,7 @@
 const BEYOND: f32 = 0.25;
 // A step of so little of a cell is the last. It leaves an error of its square, but the normal is that of where it
 // began.
-const SHORT: f32 = 1.5e-4;
+const SHORT: f32 = 3e-4;
 // Steps after the first; most are there after two.
 const MORE_STEPS: u32 = 3u;
 
@@ -138,9 +138,9 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: ve
     if slot >= lattice.active_blocks {
         return;
     }
-    let number = active_blocks[slot];
-    let list = vec2u(starts[number], starts[number + 1u]);
-    let corner = (lattice.first + block_place(lattice.blocks, number)) * BLOCK;
+    let active_block = active_blocks[slot];
+    let list = vec2u(starts[active_block.number], starts[active_block.number + 1u]);
+    let corner = active_block.place * BLOCK;
     let block = crossed[slot];
     let count = vertices_of(block);
     let before = vertex_starts[slot];

@@ -83,7 +83,7 @@ fn huge_particles_end() {
 
 #[test]
 fn cells_become_larger_where_blocks_or_lists_are_full() {
-    let few_blocks = extract(&[ball()], &recipe(1, 0.05, 0.02), SurfaceRoom { blocks: 300, ..ROOM });
+    let few_blocks = extract(&[ball()], &recipe(1, 0.05, 0.02), SurfaceRoom { blocks: 4096, ..ROOM });
     let short_lists = extract(&[ball()], &recipe(1, 0.05, 0.02), SurfaceRoom { entries: 500, ..ROOM });
     for mesh in [few_blocks, short_lists] {
         mesh.assert_closed();

@@ -1,6 +1,7 @@
 //! The surface against closed forms, on whatever adapter there is.
 
 mod adjacent;
+mod apart;
 mod figures;
 mod growth;
 mod limits;
@@ -86,7 +87,8 @@ fn reserved(meshes: &MeshScene) -> &Reserved {
 /// Room for whatever these tests make.
 const ROOM: SurfaceRoom = SurfaceRoom {
     particles: 4096,
-    blocks: 1 << 16,
+    regions: 1 << 14,
+    blocks: 1 << 17,
     entries: 1 << 20,
     active: 1 << 14,
     vertices: 1 << 19,
