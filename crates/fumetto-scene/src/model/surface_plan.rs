@@ -105,12 +105,13 @@ impl Surface {
         let cell_m = if cell_m > 0.0 { cell_m } else { 1.0 };
         let cells = (longest_m / cell_m).ceil() as u32;
         let radii = particles.iter().map(|particle| (1, particle.radius * self.size / cell_m));
+        let mut room = SurfaceRoom::of(radii, cells);
         let spacing = match self.resolution {
             Resolution::Picture(share) => Spacing::Picture { share, most: most_cells(share) },
             _ => Spacing::Cell(cell_m),
         };
-        let mut room = SurfaceRoom::of(radii, cells);
-        if let Some(spread) = Spread::of(particles, self.size, cell_m) {
+        // Where cells stay as they are, it is known what particles touch.
+        if let (Spacing::Cell(_), Some(spread)) = (spacing, Spread::of(particles, self.size, cell_m)) {
             room = room.within(spread);
         }
         SurfacePlan { spacing, room }

@@ -17,7 +17,7 @@
 const BEYOND: f32 = 0.25;
 // A step of so little of a cell is the last. It leaves an error of its square, but the normal is that of where it
 // began.
-const SHORT: f32 = 3e-4;
+const SHORT: f32 = 1.5e-4;
 // Steps after the first; most are there after two.
 const MORE_STEPS: u32 = 3u;
 
