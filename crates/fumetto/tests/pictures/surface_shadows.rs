@@ -186,7 +186,8 @@ fn a_coarse_ball_has_a_smooth_terminator() {
 #[test]
 fn the_shadow_of_smoke_goes_where_the_smoke_goes() {
     let smoke = format!(
-        "[[object]]\nname = \"ball\"\nkind = \"smoke\"\nshape = {{ surface = {{ threshold = 0.25, cell = 0.05 }} }}\n\
+        "[[object]]\nname = \"ball\"\nkind = \"smoke\"\nsolver = \"forces\"\n\
+         shape = {{ surface = {{ threshold = 0.25, cell = 0.05 }} }}\n\
          emitter = {{ shape = {{ point = {{ center = [-2.5, -2, 2] }} }}, bursts = [{{ at = 0, count = 1 }}], \
          velocity = [0, 2, 0], life = [9, 9], radius = [1, 1] }}\n{RED}\n"
     );
