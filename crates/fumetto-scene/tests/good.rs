@@ -465,7 +465,10 @@ fn cells_in_pixels_have_room_for_a_cloud_that_fills_the_picture() {
     let (share, most) = (6.0 / 720.0, 240.0);
     assert_eq!(plans("pixels = 6").map(|plan| plan.spacing), [Spacing::Picture { share, most }; 3]);
     let [still, sequence, _] = plans("subdivisions = 240");
-    assert_eq!(plans("pixels = 6").map(|plan| plan.room)[..2], [still.room, sequence.room]);
+    let [near, moving, _] = plans("pixels = 6").map(|plan| plan.room);
+    assert_eq!(moving, sequence.room);
+    // Other cells touch other blocks: it is not known in advance which.
+    assert_eq!(near.or(still.room), near, "there is room for what cells that stay as they are need");
     // There is an end to both sides: 128 MiB for the triangles, and a cloud of which hardly any cell is left.
     for (keys, along) in [("pixels = 1", 256.0), ("pixels = 512", 8.0)] {
         for plan in plans(keys) {
