@@ -39,6 +39,7 @@ draw cloud-cel cloud-cel.png "${large[@]}"
 draw smoke-cel smoke-cel.png --frame 180 "${large[@]}"
 draw cloud-transparent cloud-transparent.png "${large[@]}"
 draw rings rings.png --frame 60 "${large[@]}"
+draw metamorphosis metamorphosis.png --frame 60 "${large[@]}"
 draw storm storm.png "${large[@]}"
 draw puff-fuzzy puff-fuzzy.png "${large[@]}"
 draw chimney chimney.gif --frames 144..191 --size 320x180
