@@ -37,7 +37,6 @@ fn clouds_have_about_as_many_triangles_as_the_papers() {
     ];
     for (toml, theirs) in scenes {
         let ours = triangles(&engine, toml, 0)[0];
-        eprintln!("{ours} triangles, {theirs} in the paper");
         // Where their particles were is not known.
         assert!((theirs / 2..theirs * 2).contains(&ours), "{ours} triangles, {theirs} in the paper");
     }
@@ -48,7 +47,6 @@ fn the_smoke_keeps_its_number_of_particles_and_about_its_size() {
     let engine = Engine::new(pollster::block_on(Gpu::headless()).expect("a Vulkan driver"));
     let toml = include_str!("../../../../../../scenes/smoke-cel.toml");
     let counts = [160, 200, 239].map(|frame| triangles(&engine, toml, frame)[0]);
-    eprintln!("{counts:?} triangles");
     let [least, most] = [counts.iter().min(), counts.iter().max()].map(|count| count.copied().unwrap_or(0));
     assert!(least > 1000 && most < 2 * least, "{counts:?} triangles");
 }

@@ -3,7 +3,6 @@
 mod adjacent;
 mod apart;
 mod figures;
-mod growth;
 mod limits;
 mod merging;
 mod normals;
