@@ -1,20 +1,17 @@
 //! How a picture is drawn: the page that reads as it happens, top to bottom.
 
-use fumetto_scene::Object;
 use glam::Vec3;
 
 use crate::{
     Player, Shot,
     cels::{Cel, cels},
     gpu::{Compact, DrawList, Frame, Gpu, Listing, Region, Target, TexturePool, Transient, View},
-    ink::{
-        Angle, Gather, INK_FORMAT, Image, InkAround, Inner, MAX_PENS, Methods, Outline, Pen, Shell, Vector,
-    },
+    ink::{Angle, Gather, INK_FORMAT, Image, InkAround, Inner, Methods, Outline, Pen, Shell, Vector},
     layers::Layers,
-    lengths::{SETTLE, clean_px},
+    lengths::SETTLE,
     light::{Casting, LightsUniform, Shadows, Soften, Volumes},
-    object::ObjectStyle,
     proof::Proof,
+    setting::Setting,
     shapes::mesh,
     shapes::puffs::{Body, FRONT, Form, INK, Normal, Occlusion, PuffScene, Pyramid, QUADS, REST, Subject},
     shapes::volume::{March, VolumeScene},
@@ -57,15 +54,6 @@ struct Room {
     /// For one pass after another.
     list: DrawList,
     inks: DrawList,
-}
-
-/// What all cels of one picture share.
-struct Setting<'a> {
-    player: &'a Player,
-    view: View,
-    lights: LightsUniform,
-    features: Features,
-    sheet: Sheet,
 }
 
 impl Painter {
@@ -116,7 +104,7 @@ impl Painter {
         let mut arounds = Vec::new();
         let cels = cels(scene, Vec3::from(shot.camera.eye));
         for (index, cel) in cels.iter().enumerate() {
-            write_styles(gpu, &setting, cel);
+            setting.write_styles(gpu, cel);
             let mut frame = Frame::new(gpu, pool, "frame");
             let under = picture.as_ref().map_or(Under::Backdrop(&player.backdrop), |p| Under::Picture(p));
             let is_last = index + 1 == cels.len();
@@ -140,7 +128,7 @@ impl Painter {
         let visible = |index: &usize| player.scene().objects[*index].visible;
         let members = (0..player.scene().objects.len()).filter(visible).collect();
         let cel = Cel { members, pre_shaded: false };
-        write_styles(gpu, &setting, &cel);
+        setting.write_styles(gpu, &cel);
         let mut frame = Frame::new(gpu, pool, "proof");
         let (view, lights, pens) = setting.buffers(&frame, &cel.members);
         let Player { puffs: scene, meshes, .. } = player;
@@ -341,63 +329,4 @@ impl Painter {
             });
         }
     }
-}
-
-impl Setting<'_> {
-    /// The view, the lights and the pens as shaders take them.
-    fn buffers(&self, frame: &Frame<'_>, members: &[usize]) -> (wgpu::Buffer, wgpu::Buffer, wgpu::Buffer) {
-        (
-            frame.uniform("frame.view", &self.view.uniform),
-            frame.uniform("frame.lights", &self.lights),
-            frame.uniform("frame.pens", &self.pens(members)),
-        )
-    }
-
-    /// The pens that draw the cel of the objects that `members` numbers.
-    fn pens(&self, members: &[usize]) -> [Pen; MAX_PENS] {
-        Pen::of_all(&self.player.drawn(), &self.player.details.with(members), self.view.picture_height)
-    }
-
-    /// The objects of a cel.
-    fn objects(&self, cel: &Cel) -> impl Iterator<Item = &Object> {
-        cel.members.iter().map(|&member| &self.player.scene().objects[member])
-    }
-
-    /// How each object is drawn in a cel.
-    fn styles(&self, cel: &Cel) -> Vec<ObjectStyle> {
-        let style = |(index, object)| {
-            let in_cel = cel.members.contains(&(index as usize));
-            ObjectStyle::new(object, index, self.view.picture_height, in_cel)
-        };
-        (0..).zip(self.player.drawn()).map(style).collect()
-    }
-
-    /// All uniforms of a cel in a row, to tell whether anything has changed.
-    fn look(&self, cel: &Cel) -> Vec<u8> {
-        let (view, lights) = (bytemuck::bytes_of(&self.view.uniform), bytemuck::bytes_of(&self.lights));
-        [view, lights, bytemuck::cast_slice(&self.styles(cel))].concat()
-    }
-
-    /// Length of the shortest line that any object keeps, in samples.
-    fn ink_length_px(&self, members: &[usize]) -> f32 {
-        self.pens(members).iter().map(Pen::shortest_line_px).fold(0.0, f32::max)
-    }
-
-    /// Samples to a texel of the shadow mask: shadows need not be finer than the least tone.
-    fn shadow_step(&self) -> u32 {
-        match self.clean_px() {
-            fine if fine < 1.5 => 1,
-            medium if medium < 3.0 => 2,
-            _ => 4,
-        }
-    }
-
-    /// Least size of a tone's shape, in samples.
-    fn clean_px(&self) -> f32 {
-        clean_px(&self.player.drawn(), self.view.picture_height)
-    }
-}
-
-fn write_styles(gpu: &Gpu, setting: &Setting<'_>, cel: &Cel) {
-    gpu.queue.write_buffer(&setting.player.puffs.styles, 0, bytemuck::cast_slice(&setting.styles(cel)));
 }

@@ -40,6 +40,7 @@ mod particles;
 mod player;
 mod print;
 mod proof;
+mod setting;
 mod shapes;
 mod tiles;
 mod tone;

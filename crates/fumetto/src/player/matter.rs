@@ -1,0 +1,129 @@
+//! What the objects of a scene are made of, as it is played.
+
+use std::ops::Range;
+
+use fumetto_formats::{Model, ModelOptions, is_sequence, sequence_path};
+use fumetto_scene::{Given, Matter, Mesh, Object, Particle, Scene, Style};
+
+use crate::{
+    Assets, Error,
+    assets::{load_model, load_particles},
+    gpu::Gpu,
+    morph::Tracks,
+    particles::Plume,
+    shapes::{mesh::Geometry, puffs::Placement, surface::peak_of_nothing},
+};
+
+/// One object as it is played.
+pub(crate) struct PlayedObject {
+    pub(crate) matter: PlayedMatter,
+    pub(crate) placement: Placement,
+    /// Room for this many puffs.
+    pub(super) capacity: u32,
+}
+
+pub(crate) enum PlayedMatter {
+    Still(Vec<Particle>),
+    /// A numbered sequence of particle files, and the particles of the frame that is shown.
+    Sequence(String, Vec<Particle>),
+    /// Particles that become others.
+    Morph(Box<Tracks>),
+    Smoke(Box<Plume>),
+    Model(Box<PlayedModel>),
+}
+
+/// A model with its copies, and which parts of the scene's geometry they are.
+pub(crate) struct PlayedModel {
+    pub(super) mesh: Mesh,
+    pub(crate) model: Model,
+    pub(crate) parts: Range<usize>,
+}
+
+impl PlayedMatter {
+    pub(super) fn count(&self) -> u64 {
+        match self {
+            Self::Still(particles) | Self::Sequence(_, particles) => particles.len() as u64,
+            Self::Morph(tracks) => tracks.slots() as u64,
+            Self::Smoke(plume) => plume.emissions.iter().map(|emission| u64::from(emission.capacity())).sum(),
+            Self::Model(_) => 0,
+        }
+    }
+
+    pub(super) fn is_model(&self) -> bool {
+        matches!(self, Self::Model(_))
+    }
+}
+
+pub(super) fn seed_of(scene: &Scene, index: u32) -> u32 {
+    scene.seed.wrapping_mul(0x85eb_ca6b).wrapping_add(index.wrapping_mul(0xc2b2_ae35))
+}
+
+pub(super) fn play_mesh(
+    mesh: &Mesh,
+    style: &Style,
+    assets: &dyn Assets,
+    geometry: &mut Geometry,
+    notes: &mut Vec<String>,
+) -> Result<PlayedMatter, Error> {
+    let model = load_model(assets, &mesh.model, ModelOptions { smooth_degrees: mesh.smooth_deg })?;
+    notes.extend(model.notes.iter().cloned());
+    let parts = geometry.add(mesh, &model);
+    if style.exaggerate.amount > 0.0 {
+        geometry.smooth(&parts, style.exaggerate.scales);
+    }
+    Ok(PlayedMatter::Model(Box::new(PlayedModel { mesh: mesh.clone(), model, parts })))
+}
+
+pub(super) fn play_matter(
+    gpu: &Gpu,
+    scene: &Scene,
+    object: &Object,
+    index: u32,
+    assets: &dyn Assets,
+    first_frame: u32,
+    notes: &mut Vec<String>,
+) -> Result<PlayedMatter, Error> {
+    Ok(match &object.matter {
+        Matter::Still(particles) => PlayedMatter::Still(particles.clone()),
+        Matter::File(path) => {
+            let table = load_particles(assets, &sequence_path(path, first_frame))?;
+            notes.extend(table.notes);
+            if is_sequence(path) {
+                PlayedMatter::Sequence(path.clone(), table.particles)
+            } else {
+                PlayedMatter::Still(table.particles)
+            }
+        }
+        Matter::Morph(morph) => {
+            let mut sets = Vec::with_capacity(morph.changes.len() + 1);
+            for given in morph.all() {
+                sets.push(match given {
+                    Given::Listed(particles) => particles.clone(),
+                    Given::File(path) => {
+                        let table = load_particles(assets, path)?;
+                        notes.extend(table.notes);
+                        table.particles
+                    }
+                });
+            }
+            PlayedMatter::Morph(Box::new(Tracks::new(morph, sets)))
+        }
+        Matter::Smoke(smoke) => {
+            let seed = seed_of(scene, index);
+            PlayedMatter::Smoke(Box::new(Plume::new(gpu, smoke, seed, scene.time.step_secs())))
+        }
+        Matter::Mesh(_) => unreachable!("models are played with the scene's geometry"),
+    })
+}
+
+/// Says so where a cloud is too thin for its surface.
+pub(super) fn note_on_nothing(object: &Object, matter: &PlayedMatter) -> Option<String> {
+    let (Some(surface), PlayedMatter::Still(particles)) = (object.shape.surface(), matter) else {
+        return None;
+    };
+    let peak = peak_of_nothing(surface, particles)?;
+    Some(format!(
+        "the surface of `{}` is empty: its particles are at most about {peak} dense, and its `threshold` is {}",
+        object.name, surface.threshold
+    ))
+}

@@ -1,0 +1,251 @@
+//! Time: one scene, played to one moment.
+
+mod looks;
+mod matter;
+mod puffs;
+mod surfaces;
+mod volumes;
+
+pub(crate) use matter::{PlayedMatter, PlayedModel, PlayedObject};
+
+use fumetto_formats::sequence_path;
+use fumetto_scene::{InkMethod, Matter, Object, Particle, Scene, Shape};
+
+use crate::{
+    Assets, Error,
+    assets::load_particles,
+    details::{Details, Layer},
+    gpu::Gpu,
+    particles::Plume,
+    shapes::{
+        mesh::{Geometry, MeshScene, Shells, candidates},
+        puffs::{Placement, PuffScene, still_puffs},
+        surface::SurfaceScene,
+        volume::VolumeScene,
+    },
+    tone::{Backdrop, Ramps},
+};
+use looks::{crease_degs, load_backdrop, load_ramps};
+use matter::{note_on_nothing, play_matter, play_mesh, seed_of};
+use puffs::{atlas, check_room, place, variants_of};
+use surfaces::{add_surface, surfaces};
+use volumes::volumes;
+
+/// A scene at one moment, with all that it takes to draw it.
+pub struct Player {
+    scene: Scene,
+    assets: Box<dyn Assets>,
+    pub(crate) objects: Vec<PlayedObject>,
+    pub(crate) puffs: PuffScene,
+    pub(crate) meshes: MeshScene,
+    pub(crate) surfaces: SurfaceScene,
+    pub(crate) details: Details,
+    pub(crate) volumes: VolumeScene,
+    pub(crate) geometry: Geometry,
+    pub(crate) ramps: Ramps,
+    pub(crate) backdrop: Backdrop,
+    /// Steps of the simulation done so far.
+    pub(crate) steps: u64,
+    /// The frame that is shown.
+    pub(crate) shown: Option<u32>,
+    notes: Vec<String>,
+}
+
+impl Player {
+    pub(crate) fn new(gpu: &Gpu, scene: Scene, assets: Box<dyn Assets>) -> Result<Self, Error> {
+        check_room(gpu, &scene)?;
+        let mut notes = Vec::new();
+        let first_frame = scene.time.frames[0] - scene.time.frames[0] % scene.time.hold;
+        let (variants, atlas) = atlas(gpu, &scene)?;
+        let mut objects = Vec::with_capacity(scene.objects.len());
+        let mut geometry = Geometry::default();
+        for (index, object) in (0..).zip(&scene.objects) {
+            let matter = match &object.matter {
+                Matter::Mesh(mesh) => play_mesh(mesh, &object.style, &*assets, &mut geometry, &mut notes)?,
+                _ => play_matter(gpu, &scene, object, index, &*assets, first_frame, &mut notes)?,
+            };
+            notes.extend(note_on_nothing(object, &matter));
+            match object.shape.surface() {
+                Some(surface) => {
+                    add_surface(&mut geometry, &scene, object, (surface, &object.style.ink), &matter);
+                }
+                None if matter.is_model() => {}
+                None => geometry.add_nothing(),
+            }
+            let capacity = matter.count() as u32;
+            let placement = Placement {
+                first: 0,
+                object: index,
+                first_variant: variants[index as usize],
+                variants: variants_of(&object.shape),
+                size: object.shape.size(),
+                seed: seed_of(&scene, index),
+            };
+            objects.push(PlayedObject { matter, placement, capacity });
+        }
+        let details = Details::new(&scene);
+        for Layer { object, detail, .. } in details.layers() {
+            let (object, matter) = (&scene.objects[*object], &objects[*object].matter);
+            add_surface(&mut geometry, &scene, object, (&detail.surface, &detail.ink), matter);
+        }
+        for (index, object) in scene.objects.iter().enumerate() {
+            if matches!(object.matter, Matter::Mesh(_)) && object.style.ink.method == InkMethod::Shell {
+                geometry.find_pushes(index);
+            }
+        }
+        let puffs = place(gpu, &scene, &mut objects, atlas)?;
+        let surfaces = surfaces(gpu, &scene, &details, &objects)?;
+        let volumes = volumes(gpu, &scene, &objects)?;
+        // Layers of detail come after the scene's objects, and throw no shadows.
+        let casts =
+            |object: u32| scene.objects.get(object as usize).is_some_and(|object| scene.casts(object));
+        let shells = Shells::new(&geometry, casts);
+        let meshes = MeshScene::new(gpu, &geometry, &shells, &candidates(&geometry, &crease_degs(&scene)))?;
+        let ramps = load_ramps(gpu, &scene, &*assets)?;
+        let backdrop = load_backdrop(gpu, &scene, &*assets)?;
+        let (steps, shown) = (0, None);
+        Ok(Self {
+            scene,
+            assets,
+            objects,
+            puffs,
+            meshes,
+            surfaces,
+            details,
+            volumes,
+            geometry,
+            ramps,
+            backdrop,
+            steps,
+            shown,
+            notes,
+        })
+    }
+
+    /// The scene that is played.
+    #[must_use]
+    pub fn scene(&self) -> &Scene {
+        &self.scene
+    }
+
+    /// Where the files that the scene names come from.
+    pub(crate) fn assets(&self) -> &dyn Assets {
+        &*self.assets
+    }
+
+    /// The scene's objects, then the layers of detail in them.
+    pub(crate) fn drawn(&self) -> Vec<&Object> {
+        self.scene.objects.iter().chain(self.details.objects()).collect()
+    }
+
+    /// Things to tell the user about the files that were read.
+    #[must_use]
+    pub fn notes(&self) -> &[String] {
+        &self.notes
+    }
+
+    /// Room for this many puffs in all.
+    #[must_use]
+    pub fn capacity(&self) -> u32 {
+        self.puffs.count
+    }
+
+    /// All smoke.
+    pub(crate) fn plumes(&self) -> impl Iterator<Item = &Plume> {
+        self.objects.iter().filter_map(|object| match &object.matter {
+            PlayedMatter::Smoke(plume) => Some(&**plume),
+            PlayedMatter::Still(_)
+            | PlayedMatter::Sequence(..)
+            | PlayedMatter::Morph(_)
+            | PlayedMatter::Model(_) => None,
+        })
+    }
+
+    /// The number of the drawing that `frame` shows: frames that are held share one, and so do all frames
+    /// of a scene in which nothing moves.
+    #[must_use]
+    pub fn drawing(&self, frame: u32) -> u32 {
+        let drifts = |object: &Object| match &object.shape {
+            Shape::Puffs(_) => false,
+            Shape::Surface(surface) => surface.drifts(),
+            Shape::Volume(volume) => volume.drifts(),
+        };
+        let stands = |object: &PlayedObject| match &object.matter {
+            PlayedMatter::Still(_) => !drifts(&self.scene.objects[object.placement.object as usize]),
+            PlayedMatter::Sequence(..) | PlayedMatter::Morph(_) | PlayedMatter::Smoke(_) => false,
+            PlayedMatter::Model(played) => !played.model.is_animated(),
+        };
+        if self.objects.iter().all(stands) { 0 } else { self.held(frame) }
+    }
+
+    /// The frame whose state is drawn when `frame` is asked for: every second one on twos.
+    pub(crate) fn held(&self, frame: u32) -> u32 {
+        frame - frame % self.scene.time.hold
+    }
+
+    /// Reads the files that sequences have for `frame`, and makes room for their particles.
+    pub(crate) fn read_sequences(&mut self, gpu: &Gpu, frame: u32) -> Result<(), Error> {
+        let mut grown = false;
+        for object in &mut self.objects {
+            if let PlayedMatter::Sequence(pattern, particles) = &mut object.matter {
+                *particles = load_particles(&*self.assets, &sequence_path(pattern, frame))?.particles;
+                grown |= particles.len() as u32 > object.capacity;
+                object.capacity = object.capacity.max(particles.len() as u32);
+            }
+        }
+        if grown {
+            let (_, atlas) = atlas(gpu, &self.scene)?;
+            self.puffs = place(gpu, &self.scene, &mut self.objects, atlas)?;
+            self.surfaces = surfaces(gpu, &self.scene, &self.details, &self.objects)?;
+            self.volumes = volumes(gpu, &self.scene, &self.objects)?;
+            self.upload_still(gpu);
+        }
+        self.upload_moving(gpu, frame);
+        Ok(())
+    }
+
+    /// Moves the parts of animated models to where they are at `frame`.
+    pub(crate) fn animate(&mut self, gpu: &Gpu, frame: u32) {
+        let time_secs = self.secs(frame);
+        for object in &self.objects {
+            if let PlayedMatter::Model(played) = &object.matter
+                && played.model.is_animated()
+            {
+                self.geometry.animate(played.parts.clone(), &played.mesh, &played.model, time_secs);
+            }
+        }
+        self.meshes.upload_parts(gpu, &self.geometry.parts);
+    }
+
+    /// Writes the puffs of what does not move.
+    pub(crate) fn upload_still(&self, gpu: &Gpu) {
+        for object in &self.objects {
+            if let PlayedMatter::Still(particles) = &object.matter {
+                self.upload(gpu, object, particles);
+            }
+        }
+    }
+
+    fn upload_moving(&self, gpu: &Gpu, frame: u32) {
+        for object in &self.objects {
+            match &object.matter {
+                PlayedMatter::Sequence(_, particles) => self.upload(gpu, object, particles),
+                PlayedMatter::Morph(tracks) => self.upload(gpu, object, &tracks.at(self.secs(frame))),
+                PlayedMatter::Still(_) | PlayedMatter::Smoke(_) | PlayedMatter::Model(_) => {}
+            }
+        }
+    }
+
+    /// The moment of a frame.
+    pub(crate) fn secs(&self, frame: u32) -> f32 {
+        frame as f32 / self.scene.time.fps
+    }
+
+    fn upload(&self, gpu: &Gpu, object: &PlayedObject, particles: &[Particle]) {
+        let mut puffs = still_puffs(particles, object.placement);
+        // What an earlier, longer frame left behind must not stay.
+        puffs.resize(object.capacity as usize, bytemuck::Zeroable::zeroed());
+        let offset = u64::from(object.placement.first) * size_of_val(&puffs[0]) as u64;
+        gpu.queue.write_buffer(&self.puffs.puffs, offset, bytemuck::cast_slice(&puffs));
+    }
+}
