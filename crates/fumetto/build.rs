@@ -487,9 +487,17 @@ const PROGRAMS: &[(&str, &[&str])] = &[
             "tone/shades",
             "tone/material",
             "tone/exaggerate",
+            "gpu/random",
+            "gpu/basis",
+            "tone/hatching",
+            "tone/grain",
+            "tone/strokes",
+            "tone/laid",
             "tone/flat",
         ],
     ),
+    ("tone/ground", &["gpu/view", "gpu/fullscreen", "tone/ground"]),
+    ("tone/slopes", &["gpu/view", "gpu/fullscreen", "tone/slopes"]),
     (
         "tone/sprites",
         &[

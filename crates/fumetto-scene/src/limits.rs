@@ -102,6 +102,10 @@ pub const SPREAD_DEG: Limit = Limit::closed(0.0, 180.0);
 pub const SPEED: Limit = Limit::closed(-1e6, 1e6);
 /// Accelerations.
 pub const ACCELERATION: Limit = Limit::closed(-1e6, 1e6);
+/// Directions that strokes have.
+pub const HATCHING_LAYERS: Limit = Limit::closed(1.0, 4.0);
+/// How far the planes that cut strokes lean.
+pub const TILT_DEG: Limit = Limit::closed(0.0, 90.0);
 /// Angles between faces.
 pub const ANGLE_DEG: Limit = Limit::closed(0.0, 180.0);
 /// What stretches a model; 0 is refused besides.

@@ -16,7 +16,7 @@ use crate::{
     shapes::puffs::{Body, FRONT, Form, INK, Normal, Occlusion, PuffScene, Pyramid, QUADS, REST, Subject},
     shapes::volume::{March, VolumeScene},
     tiles::Part,
-    tone::{CEL_FORMAT, Canvas, Compose, Copied, Features, Flat, Inked, Sheet, Sprites, Under, Veil},
+    tone::{CEL_FORMAT, Canvas, Compose, Copied, Features, Flat, Ground, Hatched, Inked, Sheet, Sprites, Under, Veil},
 };
 
 /// All passes of a picture.
@@ -38,6 +38,7 @@ pub(crate) struct Painter {
     image: Image,
     inner: Inner,
     gather: Gather,
+    ground: Ground,
     flat: Flat,
     sprites: Sprites,
     copied: Copied,
@@ -76,6 +77,7 @@ impl Painter {
             image: Image::new(gpu),
             inner: Inner::new(gpu),
             gather: Gather::new(gpu),
+            ground: Ground::new(gpu),
             flat: Flat::new(gpu),
             sprites: Sprites::new(gpu),
             copied: Copied::new(gpu),
@@ -260,7 +262,11 @@ impl Painter {
         let normal = self.normal.record(frame, subject, layers, step);
         let normal =
             if radius == 0 { normal } else { self.soften.record(frame, &setting.view, normal, radius, step) };
-        self.flat.record(frame, subject, layers, (&normal, shadow), (step, ramps, setting.features), canvas);
+        let ground = self.ground.record(frame, subject.view, layers, setting.smooth_px());
+        let styles = setting.strokes(frame);
+        let hatched = Hatched { styles: styles.as_ref(), ground: &ground };
+        let light = (&normal, shadow, hatched);
+        self.flat.record(frame, subject, layers, light, (step, ramps, setting.features), canvas);
     }
 
     /// Draws lines: first those inside surfaces, and over them those of the objects themselves.

@@ -19,6 +19,14 @@ pub(crate) fn clean_px(objects: &[&Object], height_px: u32) -> f32 {
     objects.iter().map(px).fold(0.0, f32::max)
 }
 
+/// Least size of relief that bends strokes, in samples: the largest that any object wants; `None` where nothing
+/// is hatched.
+pub(crate) fn smooth_px(objects: &[&Object], height_px: u32) -> Option<f32> {
+    let hatched = objects.iter().filter(|object| object.visible && object.style.hatching.on);
+    let px = |object: &&Object| object.style.hatching.smooth_px * height_px as f32 / object.style.height_px;
+    hatched.map(px).reduce(f32::max)
+}
+
 /// How far from a pixel of a picture `height_px` samples high anything may lie that it depends on, in samples;
 /// the lengths of lines aside, which only a survey tells.
 pub(crate) fn reach_px(objects: &[&Object], height_px: u32) -> f32 {
@@ -26,5 +34,6 @@ pub(crate) fn reach_px(objects: &[&Object], height_px: u32) -> f32 {
     let methods = Methods::of(objects, &members, height_px);
     // A flood jumps up to twice as far as it reaches; a line asks what hides its middle.
     let widths = if methods.image || methods.hybrid { 2.0 } else { 1.0 };
-    (SETTLE * clean_px(objects, height_px)).max(widths * methods.radius_px) + TEXELS_PX
+    let smooth = smooth_px(objects, height_px).map_or(0.0, |px| px + TEXELS_PX);
+    (SETTLE * clean_px(objects, height_px)).max(widths * methods.radius_px).max(smooth) + TEXELS_PX
 }

@@ -7,10 +7,10 @@ use crate::{
     cels::Cel,
     gpu::{Frame, Gpu, View},
     ink::{MAX_PENS, Pen},
-    lengths::clean_px,
+    lengths::{clean_px, smooth_px},
     light::LightsUniform,
     object::ObjectStyle,
-    tone::{Features, Sheet},
+    tone::{Features, HatchStyle, Sheet, Sheeted},
 };
 
 /// What all cels of one picture share.
@@ -78,6 +78,18 @@ impl Setting<'_> {
     /// Least size of a tone's shape, in samples.
     pub(crate) fn clean_px(&self) -> f32 {
         clean_px(&self.player.drawn(), self.view.picture_height)
+    }
+
+    /// How all objects are hatched, where any is.
+    pub(crate) fn strokes(&self, frame: &Frame<'_>) -> Option<wgpu::Buffer> {
+        let sheet = Sheeted { height_px: self.view.picture_height, samples: self.sheet.samples };
+        let styles = HatchStyle::list(self.player.scene(), sheet);
+        styles.map(|styles| frame.uniform("frame.strokes", &styles))
+    }
+
+    /// Samples over which the form is smoothed for strokes, where there are any.
+    pub(crate) fn smooth_px(&self) -> Option<f32> {
+        smooth_px(&self.player.drawn(), self.view.picture_height)
     }
 
     /// Tells shaders how each object is drawn in a cel.

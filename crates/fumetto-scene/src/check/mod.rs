@@ -5,6 +5,7 @@
 //! looked at; whoever calls throws the result away if an error was reported.
 
 mod at;
+mod hatching;
 mod ink;
 mod mesh;
 mod morph;

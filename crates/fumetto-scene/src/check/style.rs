@@ -1,4 +1,5 @@
 use super::At;
+use super::hatching::hatching;
 use super::ink::ink;
 use super::ramp::{beside, exaggerate, highlight, ramp, rim};
 use crate::file::{ShadingFile, ShadowFile, StyleFile};
@@ -102,6 +103,9 @@ fn apply(at: &At<'_>, file: &StyleFile, style: &mut Style) {
     if let Some(file) = &file.exaggerate {
         exaggerate(*file, &mut style.exaggerate);
     }
+    if let Some(file) = &file.hatching {
+        hatching(&at.key("hatching"), file, &mut style.hatching);
+    }
     put(&mut style.form, file.form);
     put(&mut style.form_scale, file.form_scale);
     put(&mut style.wrap, file.wrap);
@@ -118,8 +122,8 @@ fn apply(at: &At<'_>, file: &StyleFile, style: &mut Style) {
     }
     if file.shading == Some(ShadingFile::PreShaded) && !style.suits_sprites() {
         let message = "puffs of this style cannot be pre-shaded".to_owned();
-        let help = "they are shaded per pixel: `gooch`, `highlight`, `rim`, `exaggerate` and the rows of a \
-                    `ramp` need to know from where each pixel is seen";
+        let help = "they are shaded per pixel: `gooch`, `highlight`, `rim`, `exaggerate`, `hatching` and the rows \
+                    of a `ramp` need to know from where each pixel is seen";
         at.key("shading").warning("not-pre-shaded", message, help);
     }
 }

@@ -1,14 +1,15 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{ExaggerateFile, GoochFile, HighlightFile, InkFile, RampFile, RimFile, TonesFile};
+use super::{ExaggerateFile, GoochFile, HatchingFile, HighlightFile, InkFile, RampFile, RimFile, TonesFile};
 use crate::limits;
 
 /// How an object is drawn. Keys that are left out keep what the preset, or the scene's style, says.
 #[derive(Clone, Debug, Default, Deserialize, JsonSchema, PartialEq, Serialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct StyleFile {
-    /// A ready-made style to start from: "cartoon" (the default), "mcguire", "flat" or "no-ink".
+    /// A ready-made style to start from: "cartoon" (the default), "mcguire", "flat", "no-ink",
+    /// "engraving", "crosshatch" or "pencil".
     pub preset: Option<String>,
     /// A style file to start from, relative to the scene file; it holds the keys of this table.
     pub file: Option<String>,
@@ -27,6 +28,8 @@ pub struct StyleFile {
     pub rim: Option<RimFile>,
     /// Shading that brings out relief of all sizes.
     pub exaggerate: Option<ExaggerateFile>,
+    /// Strokes that shade, over the tones.
+    pub hatching: Option<HatchingFile>,
     /// How far normals bend from the puff's own (0) to the whole cloud's (1).
     #[schemars(transform = &limits::SHARE)]
     pub form: Option<f32>,

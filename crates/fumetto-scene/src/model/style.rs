@@ -1,4 +1,4 @@
-use crate::{Colour, Exaggerate, Highlight, Ink, Ramp, RampImage, RampRows, Rim, Tone};
+use crate::{Colour, Exaggerate, Hatching, Highlight, Ink, Ramp, RampImage, RampRows, Rim, Tone};
 
 /// How an object is drawn.
 #[derive(Clone, Debug, PartialEq)]
@@ -11,6 +11,8 @@ pub struct Style {
     pub rim: Rim,
     /// Shading that brings out relief of all sizes.
     pub exaggerate: Exaggerate,
+    /// Strokes that shade, over the tones.
+    pub hatching: Hatching,
     /// How far normals bend from the puff's own (0) to the whole cloud's (1).
     pub form: f32,
     /// Width of the lobes that `form` sees, in mean particle radii; above zero.
@@ -44,7 +46,8 @@ impl Style {
             Ramp::Image(RampImage { rows, .. }) => *rows == RampRows::Middle,
             Ramp::Gooch(_) => false,
         };
-        by_light_alone && !self.highlight.on && !self.rim.on && self.exaggerate.amount == 0.0
+        let by_light_alone = by_light_alone && self.exaggerate.amount == 0.0;
+        by_light_alone && !self.highlight.on && !self.rim.on && !self.hatching.on
     }
 }
 
@@ -84,6 +87,7 @@ impl Default for Style {
             highlight: Highlight::default(),
             rim: Rim::default(),
             exaggerate: Exaggerate::default(),
+            hatching: Hatching::default(),
             form: 0.0,
             form_scale: 3.0,
             wrap: 0.0,

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{Canvas, Features, Ramps};
+use super::{Canvas, Features, HatchStyles, Hatched, Ramps};
 use crate::{
     gpu::{Frame, Gpu, RasterPipeline, Transient, linear_sampler, shader},
     layers::{self, Layers},
@@ -18,6 +18,8 @@ pub(crate) struct Flat {
     module: wgpu::ShaderModule,
     pipelines: BTreeMap<Features, wgpu::RenderPipeline>,
     linear: wgpu::Sampler,
+    /// Where nothing is hatched.
+    no_strokes: wgpu::Buffer,
 }
 
 #[repr(C)]
@@ -26,13 +28,19 @@ struct SamplingUniform {
     step: u32,
     form_side: f32,
     form_objects: f32,
-    pad: u32,
+    ground_step: u32,
 }
 
 impl Flat {
     pub(crate) fn new(gpu: &Gpu) -> Self {
         let module = gpu.device.create_shader_module(shader!("tone/flat"));
-        let mut flat = Self { module, pipelines: BTreeMap::new(), linear: linear_sampler(gpu) };
+        let no_strokes = gpu.device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some("tone.flat.no-strokes"),
+            size: size_of::<HatchStyles>() as u64,
+            usage: wgpu::BufferUsages::UNIFORM,
+            mapped_at_creation: false,
+        });
+        let mut flat = Self { module, pipelines: BTreeMap::new(), linear: linear_sampler(gpu), no_strokes };
         for features in Features::PLAIN {
             flat.prepare(gpu, features);
         }
@@ -62,13 +70,17 @@ impl Flat {
         frame: &mut Frame<'_>,
         subject: Subject<'_>,
         layers: &Layers,
-        (normal, shadow): (&Transient, &Transient),
+        (normal, shadow, hatched): (&Transient, &Transient, Hatched<'_>),
         (step, ramps, features): (u32, &Ramps, Features),
         canvas: Canvas<'_>,
     ) {
         let (meshes, form) = (subject.meshes, &subject.scene.form);
-        let sampling =
-            SamplingUniform { step, form_side: form.side as f32, form_objects: form.objects as f32, pad: 0 };
+        let sampling = SamplingUniform {
+            step,
+            form_side: form.side as f32,
+            form_objects: form.objects as f32,
+            ground_step: hatched.ground.step,
+        };
         let sampling = frame.uniform("tone.flat.sampling", &sampling);
         let features = if canvas.is_picture { features.for_picture() } else { features };
         frame.fullscreen(
@@ -99,6 +111,8 @@ impl Flat {
                 ramps.tones.as_entire_binding(),
                 wgpu::BindingResource::TextureView(&layers.hits),
                 wgpu::BindingResource::TextureView(&layers.light),
+                hatched.styles.unwrap_or(&self.no_strokes).as_entire_binding(),
+                wgpu::BindingResource::TextureView(&hatched.ground.slopes),
             ],
         );
     }
@@ -109,5 +123,5 @@ mod tests {
     use super::*;
     use crate::gpu::layout_test;
 
-    layout_test!(lies_as_its_twin: SamplingUniform, "Sampling" of "tone/flat" { step, form_side, form_objects });
+    layout_test!(lies_as_its_twin: SamplingUniform, "Sampling" of "tone/flat" { step, form_side, form_objects, ground_step });
 }

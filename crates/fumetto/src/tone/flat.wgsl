@@ -14,6 +14,7 @@ override HAS_HIGHLIGHT: bool = false;
 override HAS_RIM: bool = false;
 override HAS_EXAGGERATION: bool = false;
 override HAS_STEPS: bool = false;
+override HAS_HATCHING: bool = false;
 
 // Whether any pixel may show a volume.
 override HAS_VOLUMES: bool = false;
@@ -23,6 +24,8 @@ struct Sampling {
     step: i32,
     form_side: f32,
     form_objects: f32,
+    // The same of the smoothed distances that strokes are laid on.
+    ground_step: i32,
 }
 
 @group(0) @binding(1) var<uniform> sampling: Sampling;
@@ -47,6 +50,8 @@ struct Sampling {
 @group(0) @binding(20) var<uniform> tones: array<ToneStyle, MAX_OBJECTS>;
 @group(0) @binding(21) var hits: texture_2d<u32>;
 @group(0) @binding(22) var light_layer: texture_2d<f32>;
+@group(0) @binding(23) var<uniform> hatches: array<HatchStyle, MAX_OBJECTS>;
+@group(0) @binding(24) var ground_layer: texture_2d<f32>;
 
 // The normal between the layer's texels, from those that lie about as deep.
 fn normal_at(px: vec2i, distance: f32) -> vec3f {
@@ -176,6 +181,19 @@ fn colour_of(seen: Seen, at: Sight, amount: f32, shine: f32) -> vec3f {
     return colour;
 }
 
+// A colour, encoded, with strokes over it.
+fn hatched_over(colour: vec3f, seen: Seen, at: Sight, id: u32, amount: f32) -> vec3f {
+    let style = hatches[seen.object];
+    if style.follow == FOLLOW_NOTHING {
+        return colour;
+    }
+    let cover = hatched(style, laid_at(style, seen, id, at.px, at.distance), amount, at.px);
+    if cover == 0.0 || cover == 1.0 {
+        return select(colour, style.colour, cover == 1.0);
+    }
+    return encoded(mix(decoded(colour), decoded(style.colour), cover));
+}
+
 @fragment
 fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let px = vec2i(position.xy);
@@ -201,6 +219,9 @@ fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
             shine = max(shine, select(blinn_phong(light, seen.normal, toward_light, at.toward_eye, gloss), 0.0, kept));
         }
     }
-    let colour = colour_of(seen, at, amount, shine);
+    var colour = colour_of(seen, at, amount, shine);
+    if HAS_HATCHING {
+        colour = hatched_over(colour, seen, at, id, amount);
+    }
     return vec4f(colour, select(styles[seen.object].opacity * seen.opacity, 1.0, IS_PICTURE));
 }

@@ -5,6 +5,7 @@ use std::ops::Range;
 use fumetto_scene::{Colour, Object, Ramp, RampImage, RampRows};
 use glam::Vec3;
 
+use super::hatching::is_hatched;
 use crate::object::MAX_OBJECTS;
 
 /// A value that no highlight reaches.
@@ -104,7 +105,7 @@ pub(crate) struct Features(u32);
 
 impl Features {
     /// The shader's constants, bit by bit.
-    const CONSTANTS: [&str; 9] = [
+    const CONSTANTS: [&str; 10] = [
         "HAS_MESHES",
         "HAS_ROWS",
         "HAS_GOOCH",
@@ -113,6 +114,7 @@ impl Features {
         "HAS_EXAGGERATION",
         "HAS_STEPS",
         "HAS_VOLUMES",
+        "HAS_HATCHING",
         "IS_PICTURE",
     ];
 
@@ -131,6 +133,7 @@ impl Features {
             any(|object| object.style.exaggerate.amount > 0.0),
             has_meshes && any(|object| object.style.material_steps > 0),
             any(|object| object.shape.volume().is_some()),
+            any(is_hatched),
         ];
         Self((0..).zip(needs).map(|(bit, is_needed)| u32::from(is_needed) << bit).sum())
     }

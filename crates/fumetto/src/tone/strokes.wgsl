@@ -1,0 +1,143 @@
+// Strokes that shade: where parallel planes cut the form. Every second plane lets go as the form is seen from
+// farther away, stroke by stroke, and comes back as it is seen from nearer (Praun et al., "Real-Time Hatching",
+// 2001: strokes of a lighter tone and of a coarser scale are among those of a darker and a finer one). Planes
+// have no ends or seams and stay where they are, so nothing slides on the form.
+//
+// How much of the paper strokes cover is exact on average: what is wanted of it decides how wide they are and
+// how many of them are there.
+
+// Share of the ranks over which a stroke grows to its width.
+const TAPER: f32 = 0.25;
+
+// Cells of the noise that makes a stroke stray, in spacings.
+const STRAY: f32 = 7.0;
+
+// Width under which strokes get fewer in place of thinner, in pixels of the style; never less than a sample.
+const FINEST: f32 = 0.6;
+
+// A pixel of what is hatched, in the coordinates that strokes stay in.
+struct Laid {
+    at: vec3f,
+    // The same a pixel to the right and below, less `at`.
+    right: vec3f,
+    below: vec3f,
+    // Units of these coordinates to a sample, where the form faces the viewer, and to a metre.
+    unit_px: f32,
+    unit_m: f32,
+    // Samples to a metre.
+    px_m: f32,
+}
+
+// The strokes of one layer around a pixel.
+struct Strokes {
+    // Along the planes, for noise.
+    along: vec2f,
+    // Across them.
+    at: f32,
+    // Units to a sample.
+    slope: f32,
+    unit_px: f32,
+    // In samples.
+    width: f32,
+    wobble: f32,
+    finest: f32,
+    // Units to the lattice of noise that ends strokes, and that which makes them stray.
+    length: f32,
+    stray: f32,
+    key: u32,
+    is_hard: bool,
+}
+
+// Whether a stroke is here, from 0 to 1: where planes are cut at `at`, and a share `part` of the stroke is there.
+fn stroke(strokes: Strokes, at: f32, part: f32) -> f32 {
+    // The same for a plane at whatever scale it is seen: its place is exact.
+    let key = pcg(strokes.key + bitcast<u32>(select(at, 0.0, at == 0.0)));
+    var rank = random(key, 1u);
+    if strokes.length > 0.0 {
+        // A logistic curve has much the same shape as the normal distribution: ranks are spread evenly.
+        let noise = steady_grain(strokes.along, strokes.length, key) / GRAIN_DEVIATION;
+        rank = 1.0 / (1.0 + exp(-1.702 * noise));
+    }
+    let grown = clamp((part * (1.0 + TAPER) - rank) / TAPER, 0.0, 1.0);
+    let half = 0.5 * strokes.width * grown;
+    let stray = strokes.wobble * steady_grain(strokes.along, strokes.stray, key + 1u) / GRAIN_DEVIATION;
+    let off = abs((strokes.at - at) / strokes.slope + stray);
+    if 2.0 * half < 0.5 * strokes.finest {
+        return 0.0;
+    }
+    let covered = clamp(min(off + 0.5, half) - max(off - 0.5, -half), 0.0, 1.0);
+    return select(covered, select(0.0, 1.0, off < half), strokes.is_hard);
+}
+
+// How much of a pixel the strokes of one layer cover, of which a share `wanted` of the layer's most is wanted.
+fn layer_cover(style: HatchStyle, layer: u32, laid: Laid, wanted: f32, thinned: f32) -> f32 {
+    let axis = style.axes[layer].xyz;
+    let beside = across(axis);
+    let slope = max(length(vec2f(dot(axis, laid.right), dot(axis, laid.below))), 1e-12);
+    let finest = max(FINEST * style.scale, 1.0);
+    // From stroke to stroke as it should be, in units; the lattice of planes is of powers of two of `unit`.
+    let unit = select(1.0, style.spacing_m * laid.unit_m, style.spacing_m > 0.0);
+    let spacing = max(max(style.spacing_px * slope, style.spacing_m * laid.unit_m), 3.0 * finest * slope);
+    let octave = log2(spacing / unit);
+    let whole = ceil(octave - 1e-3);
+    let cell = unit * exp2(whole);
+    // Of the planes between, this share is there.
+    let between = clamp(exp2(whole - octave) - 1.0, 0.0, 1.0);
+
+    let spacing_px = spacing / slope;
+    let widest = min(max(style.width_px, style.width_m * laid.px_m), spacing_px);
+    let swollen = mix(1.0, wanted, style.swell);
+    var width = widest * swollen;
+    var part = wanted / max(swollen, 1e-6);
+    part *= min(width / finest, 1.0);
+    width = max(width, finest);
+    // Where planes between are few, the others are wider before they touch.
+    let apart = cell / slope;
+    let touching = apart * (width / spacing_px - between) / max(1.0 - between, 1e-3);
+    width = thinned * select(width, min(touching, apart), width > 0.5 * apart);
+    part *= 1.0 - style.gaps;
+
+    var strokes: Strokes;
+    strokes.along = vec2f(dot(beside[0], laid.at), dot(beside[1], laid.at));
+    strokes.at = dot(axis, laid.at);
+    strokes.slope = slope;
+    strokes.width = width;
+    strokes.wobble = style.wobble_px;
+    strokes.finest = finest;
+    strokes.length = style.length_px * laid.unit_px;
+    strokes.stray = STRAY * max(style.spacing_px, 4.0 * style.scale) * laid.unit_px;
+    strokes.key = style.seed + layer * 2654435769u;
+    strokes.is_hard = (style.look & IS_HARD) != 0u;
+    let number = strokes.at / cell;
+    let main = stroke(strokes, round(number) * cell, part);
+    return max(main, stroke(strokes, (floor(number) + 0.5) * cell, part * between));
+}
+
+// How much of a pixel all strokes cover, for an amount of light. Layers come one after the other as it gets
+// darker; each covers so much of what the others leave free that together they cover what is wanted.
+fn hatched(style: HatchStyle, laid: Laid, amount: f32, px: vec2f) -> f32 {
+    var dark = clamp((style.light_from - amount) / (style.light_from - style.light_full), 0.0, 1.0);
+    if style.levels > 0.0 {
+        dark = ceil(dark * style.levels) / style.levels;
+    }
+    if dark == 0.0 {
+        return 0.0;
+    }
+    let paper = (px + view.first_px) / style.scale;
+    let tooth = 0.5 * (grain(paper / 1.7, style.seed) + grain(paper / 3.1, style.seed + 1u));
+    let thinned = 1.0 - style.tooth * tooth;
+    let widest = max(style.width_px, style.width_m * laid.px_m);
+    let apart = max(style.spacing_px, style.spacing_m * laid.px_m);
+    let most = min(widest / apart, 0.999);
+    let free = 1.0 - dark * (1.0 - pow(1.0 - most, f32(style.layers)));
+    var left = 1.0;
+    var before = 1.0;
+    for (var layer = 0u; layer < style.layers; layer++) {
+        let wanted = clamp((1.0 - free / before) / most, 0.0, 1.0);
+        if wanted > 0.0 {
+            left *= 1.0 - layer_cover(style, layer, laid, wanted, thinned);
+        }
+        before *= 1.0 - most;
+    }
+    return 1.0 - left;
+}
