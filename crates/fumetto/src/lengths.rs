@@ -34,6 +34,7 @@ pub(crate) fn reach_px(objects: &[&Object], height_px: u32) -> f32 {
     let methods = Methods::of(objects, &members, height_px);
     // A flood jumps up to twice as far as it reaches; a line asks what hides its middle.
     let widths = if methods.image || methods.hybrid { 2.0 } else { 1.0 };
-    let smooth = smooth_px(objects, height_px).map_or(0.0, |px| px + TEXELS_PX);
+    // It is smoothed in two rounds.
+    let smooth = smooth_px(objects, height_px).map_or(0.0, |px| 1.5 * px + TEXELS_PX);
     (SETTLE * clean_px(objects, height_px)).max(widths * methods.radius_px).max(smooth) + TEXELS_PX
 }

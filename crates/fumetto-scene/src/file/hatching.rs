@@ -42,7 +42,7 @@ pub struct HatchingFile {
     /// counter-clockwise from the horizontal. Default 30.
     pub angle: Option<f32>,
     /// How strongly strokes bend round the form, from 0 (straight) to 90 degrees: how far the planes that
-    /// cut them lean toward the scene's first camera. Default 40.
+    /// cut them lean toward the scene's first camera. Default 25.
     #[schemars(transform = &limits::TILT_DEG)]
     pub tilt: Option<f32>,
     /// What strokes stay with when things move. Default "form".
@@ -58,7 +58,7 @@ pub struct HatchingFile {
     #[schemars(transform = &limits::SHARE)]
     pub tooth: Option<f32>,
     /// Relief smaller than this does not bend strokes; 0 lets all of it. The largest that any object
-    /// wants counts for the whole picture. Default 8 px.
+    /// wants counts for the whole picture. Default 16 px.
     pub smooth: Option<PixelsFile>,
 }
 

@@ -83,13 +83,13 @@ impl Default for Hatching {
             cross_deg: 60.0,
             along: Along::Angle,
             angle_deg: 30.0,
-            tilt_deg: 40.0,
+            tilt_deg: 25.0,
             follow: Follow::Form,
             length_px: 140.0,
             gaps: 0.05,
             wobble_px: 0.6,
             tooth: 0.0,
-            smooth_px: 8.0,
+            smooth_px: 16.0,
         }
     }
 }

@@ -29,6 +29,8 @@ struct SamplingUniform {
     form_side: f32,
     form_objects: f32,
     ground_step: u32,
+    ground_far_px: f32,
+    pad: [u32; 3],
 }
 
 impl Flat {
@@ -80,6 +82,8 @@ impl Flat {
             form_side: form.side as f32,
             form_objects: form.objects as f32,
             ground_step: hatched.ground.step,
+            ground_far_px: hatched.ground.far_px,
+            pad: [0; 3],
         };
         let sampling = frame.uniform("tone.flat.sampling", &sampling);
         let features = if canvas.is_picture { features.for_picture() } else { features };
@@ -123,5 +127,5 @@ mod tests {
     use super::*;
     use crate::gpu::layout_test;
 
-    layout_test!(lies_as_its_twin: SamplingUniform, "Sampling" of "tone/flat" { step, form_side, form_objects, ground_step });
+    layout_test!(lies_as_its_twin: SamplingUniform, "Sampling" of "tone/flat" { step, form_side, form_objects, ground_step, ground_far_px });
 }

@@ -26,6 +26,8 @@ struct Sampling {
     form_objects: f32,
     // The same of the smoothed distances that strokes are laid on.
     ground_step: i32,
+    // What lies so much farther is another form, in pixels as deep as wide.
+    ground_far_px: f32,
 }
 
 @group(0) @binding(1) var<uniform> sampling: Sampling;

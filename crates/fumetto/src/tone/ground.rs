@@ -17,6 +17,12 @@ const RADIUS: f32 = 4.0;
 /// Samples to a texel: tiles begin at multiples of them.
 const STEPS: [f32; 2] = [2.0, 4.0];
 
+/// Samples of two rounds of smoothing to each side over those of one that smooths as much.
+const ROUND: f32 = std::f32::consts::FRAC_1_SQRT_2;
+
+/// How deep a form may go from texel to texel, in texels: as on a plane seen at 80 degrees.
+const STEEPEST: f32 = 6.0;
+
 /// Long-lived pipelines.
 #[derive(Debug)]
 pub(crate) struct Ground {
@@ -30,6 +36,8 @@ pub(crate) struct Grounded {
     pub(super) slopes: Transient,
     /// Samples to a texel.
     pub(super) step: u32,
+    /// What lies so much farther is another form, in samples as deep as wide.
+    pub(super) far_px: f32,
 }
 
 #[repr(C)]
@@ -38,13 +46,16 @@ struct GroundUniform {
     axis: [i32; 2],
     radius: i32,
     step: i32,
+    far_px: f32,
+    pad: [f32; 3],
 }
 
 #[repr(C)]
 #[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
 struct SlopesUniform {
     step: f32,
-    pad: [f32; 3],
+    far_px: f32,
+    pad: [f32; 2],
 }
 
 impl Ground {
@@ -68,17 +79,19 @@ impl Ground {
         smooth_px: Option<f32>,
     ) -> Grounded {
         let Some(smooth_px) = smooth_px.filter(|px| *px > 0.0) else {
-            return Grounded { slopes: frame.texture("tone.slopes", [1, 1], SLOPES_FORMAT), step: 1 };
+            return Grounded { slopes: frame.texture("tone.slopes", [1, 1], SLOPES_FORMAT), step: 1, far_px: 0.0 };
         };
         let step = if smooth_px < RADIUS * STEPS[1] { STEPS[0] } else { STEPS[1] };
-        let radius = (smooth_px / step).ceil() as i32;
+        let far_px = smooth_px.max(STEEPEST * step);
+        let radius = (smooth_px * ROUND / step).ceil() as i32;
         let mut distances = frame.texture("tone.ground", [1, 1], GROUND_FORMAT);
-        for (axis, radius) in [([0, 0], 0), ([1, 0], radius), ([0, 1], radius)] {
-            let uniform = GroundUniform { axis, radius, step: step as i32 };
+        let (across, down) = (([1, 0], radius), ([0, 1], radius));
+        for (axis, radius) in [([0, 0], 0), across, down, across, down] {
+            let uniform = GroundUniform { axis, radius, step: step as i32, far_px, pad: [0.0; 3] };
             distances = self.smooth(frame, view, layers, &distances, uniform);
         }
         let slopes = frame.texture("tone.slopes", [distances.texture().width(), distances.texture().height()], SLOPES_FORMAT);
-        let uniform = frame.uniform("tone.slopes.uniform", &SlopesUniform { step, pad: [0.0; 3] });
+        let uniform = frame.uniform("tone.slopes.uniform", &SlopesUniform { step, far_px, pad: [0.0; 2] });
         frame.fullscreen(
             "tone.slopes",
             &self.slopes,
@@ -89,7 +102,7 @@ impl Ground {
                 wgpu::BindingResource::TextureView(&distances),
             ],
         );
-        Grounded { slopes, step: step as u32 }
+        Grounded { slopes, step: step as u32, far_px: 2.0 * far_px }
     }
 
     fn smooth(
@@ -123,7 +136,7 @@ mod tests {
     use super::*;
     use crate::gpu::layout_test;
 
-    layout_test!(slopes_lie_as_their_twin: SlopesUniform, "Slopes" of "tone/slopes" { step });
+    layout_test!(slopes_lie_as_their_twin: SlopesUniform, "Slopes" of "tone/slopes" { step, far_px });
 
-    layout_test!(lies_as_its_twin: GroundUniform, "Ground" of "tone/ground" { axis, radius, step });
+    layout_test!(lies_as_its_twin: GroundUniform, "Ground" of "tone/ground" { axis, radius, step, far_px });
 }

@@ -11,12 +11,15 @@ fn ground_at(px: vec2f, distance: f32) -> vec3f {
     let cell = vec2i(floor(at));
     let part = at - floor(at);
     let last = vec2i(textureDimensions(ground_layer)) - 1;
-    let far = distance * 16.0 * f32(sampling.ground_step) / view.focal_px;
+    let far = distance * sampling.ground_far_px / view.focal_px;
     var sum = vec3f(0.0);
     var total = 0.0;
     for (var corner = 0; corner < 4; corner++) {
         let step = vec2i(corner & 1, corner >> 1);
-        let texel = textureLoad(ground_layer, min(cell + step, last), 0).xyz;
+        let place = min(cell + step, last);
+        var texel = textureLoad(ground_layer, place, 0).xyz;
+        // Where a texel is missing, the form goes on from the others as it slopes there.
+        texel.x += dot(texel.yz, px - 0.5 - vec2f(place * sampling.ground_step));
         let bilinear = select(1.0 - part, part, step == vec2i(1));
         let near = texel.x > 0.0 && abs(texel.x - distance) < far;
         let weight = select(0.0, bilinear.x * bilinear.y + 1e-4, near);

@@ -3,6 +3,7 @@
 struct Slopes {
     // Pixels of the picture to one texel of this layer.
     step: f32,
+    far_px: f32,
 }
 
 @group(0) @binding(1) var<uniform> slopes: Slopes;
@@ -11,7 +12,7 @@ struct Slopes {
 // How much farther the form is at the next texel along `axis`; 0 where it ends on both sides.
 fn slope_along(axis: vec2i, at: vec2i, middle: f32) -> f32 {
     let size = vec2i(textureDimensions(ground));
-    let far = 6.0 * middle * slopes.step / view.focal_px;
+    let far = middle * slopes.far_px / view.focal_px;
     var sum = 0.0;
     var sides = 0.0;
     for (var side = -1; side <= 1; side += 2) {

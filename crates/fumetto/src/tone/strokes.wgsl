@@ -12,8 +12,11 @@ const TAPER: f32 = 0.25;
 // Cells of the noise that makes a stroke stray, in spacings.
 const STRAY: f32 = 7.0;
 
-// Width under which strokes get fewer in place of thinner, in pixels of the style; never less than a sample.
-const FINEST: f32 = 0.6;
+// Share of its width under which a stroke ends in place of getting thinner; never less than a sample.
+const FINEST: f32 = 0.3;
+
+// Samples from stroke to stroke, at least.
+const DENSEST: f32 = 2.5;
 
 // A pixel of what is hatched, in the coordinates that strokes stay in.
 struct Laid {
@@ -74,10 +77,9 @@ fn layer_cover(style: HatchStyle, layer: u32, laid: Laid, wanted: f32, thinned: 
     let axis = style.axes[layer].xyz;
     let beside = across(axis);
     let slope = max(length(vec2f(dot(axis, laid.right), dot(axis, laid.below))), 1e-12);
-    let finest = max(FINEST * style.scale, 1.0);
     // From stroke to stroke as it should be, in units; the lattice of planes is of powers of two of `unit`.
     let unit = select(1.0, style.spacing_m * laid.unit_m, style.spacing_m > 0.0);
-    let spacing = max(max(style.spacing_px * slope, style.spacing_m * laid.unit_m), 3.0 * finest * slope);
+    let spacing = max(max(style.spacing_px * slope, style.spacing_m * laid.unit_m), DENSEST * slope);
     let octave = log2(spacing / unit);
     let whole = ceil(octave - 1e-3);
     let cell = unit * exp2(whole);
@@ -86,6 +88,7 @@ fn layer_cover(style: HatchStyle, layer: u32, laid: Laid, wanted: f32, thinned: 
 
     let spacing_px = spacing / slope;
     let widest = min(max(style.width_px, style.width_m * laid.px_m), spacing_px);
+    let finest = max(FINEST * widest, 1.0);
     let swollen = mix(1.0, wanted, style.swell);
     var width = widest * swollen;
     var part = wanted / max(swollen, 1e-6);
