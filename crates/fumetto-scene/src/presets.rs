@@ -4,11 +4,14 @@
 pub(crate) const DEFAULT: &str = "cartoon";
 
 /// Every preset: its name and its style file.
-const PRESETS: [(&str, &str); 4] = [
+const PRESETS: [(&str, &str); 7] = [
     ("cartoon", include_str!("../presets/cartoon.style.toml")),
     ("mcguire", include_str!("../presets/mcguire.style.toml")),
     ("flat", include_str!("../presets/flat.style.toml")),
     ("no-ink", include_str!("../presets/no-ink.style.toml")),
+    ("engraving", include_str!("../presets/engraving.style.toml")),
+    ("crosshatch", include_str!("../presets/crosshatch.style.toml")),
+    ("pencil", include_str!("../presets/pencil.style.toml")),
 ];
 
 /// The names of the presets; the first is the default.

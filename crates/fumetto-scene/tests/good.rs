@@ -5,7 +5,7 @@ mod common;
 
 use common::{load, load_with};
 use fumetto_scene::{
-    Background, Burst, Colour, Curve, Detail, Ease, EmitterShape, Exaggerate, Force, Given, Gooch, Highlight,
+    Along, Background, Burst, Colour, Curve, Detail, Ease, EmitterShape, Exaggerate, Follow, Force, Given, Gooch, Hatching, Highlight,
     Ink, InkMethod, Light, LightKind, Matter, Mesh, Metamorphosis, Morph, Noise, Particle, Profile, Puffs,
     Ramp, RampImage, RampRows, Resolution, Rim, Rings, Scene, SceneText, Shading, Shape, Smoke, Spacing,
     Style, StyleChoice, Surface, Tone, Transform, Volume, VolumeNoise, Width,
@@ -104,6 +104,40 @@ fn every_way_to_shade_reaches_the_style() {
     assert_eq!(style.rim, Rim { on: true, colour: srgb(0xffe0a0), width: 0.3, from: 0.1 });
     assert_eq!(style.exaggerate, Exaggerate { amount: 0.5, scales: 4, contrast: 3.0 });
     assert!(!style.suits_sprites());
+}
+
+#[test]
+fn every_key_of_hatching_reaches_the_style() {
+    let scene = good(include_str!("good/everything.toml"));
+    let expected = Hatching {
+        on: true,
+        colour: srgb(0x20_3040),
+        width: Width::Px(2.0),
+        spacing: Width::World(0.1),
+        from: 0.9,
+        full: 0.1,
+        swell: 0.5,
+        levels: 5,
+        layers: 3,
+        cross_deg: 45.0,
+        along: Along::Shade,
+        angle_deg: 10.0,
+        tilt_deg: 20.0,
+        follow: Follow::Object,
+        length_px: 50.0,
+        gaps: 0.2,
+        wobble_px: 1.0,
+        tooth: 0.3,
+        smooth_px: 4.0,
+    };
+    assert_eq!(scene.objects[0].style.hatching, expected);
+}
+
+#[test]
+fn naming_hatching_switches_it_on() {
+    let all = styles("hatching = {}", &["", "hatching = { on = false }", "preset = \"flat\""]);
+    assert_eq!(all.iter().map(|style| style.hatching.on).collect::<Vec<_>>(), [true, false, false]);
+    assert!(!all[0].suits_sprites() && all[1].suits_sprites());
 }
 
 /// The styles of the objects that are styled so, one after the other.
