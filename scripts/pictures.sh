@@ -42,6 +42,7 @@ draw rings rings.png --frame 60 "${large[@]}"
 draw metamorphosis metamorphosis.png --frame 60 "${large[@]}"
 draw storm storm.png "${large[@]}"
 draw puff-fuzzy puff-fuzzy.png "${large[@]}"
+draw engraving engraving.png --size 960x540 # strokes want room
 draw chimney chimney.gif --frames 144..191 --size 320x180
 
 # The first scene of README.md, as it stands there, and two ways for its smoke to end.
@@ -107,6 +108,11 @@ for i in "${!shadings[@]}"; do
     height=$((677 - 280 * (i / 4)))
     draw shadings "shading-${shadings[i]}.png" --size 240x240 --set camera.fov=2.65 --set style.height=400 \
         --set "camera.eye=[$eye, $((height + 803))e-2, 60]" --set "camera.target=[$eye, ${height}e-2, 0]"
+done
+
+# The plate of hatching, and its other styles.
+for style in engraving crosshatch pencil; do
+    draw hatching "hatching-$style.png" --size 960x300 --style "$style"
 done
 
 for method in hybrid vector image shell angle; do

@@ -23,6 +23,8 @@ pub(crate) const DRAW: Subsystem = Subsystem {
         "body+ink+shadow",
         "body+shadow",
         "body+ink form=0",
+        "body+hatching",
+        "body+hatching by number",
         "two tones per-pixel",
         "two tones pre-shaded",
         "pre-shaded+ink",
@@ -39,6 +41,7 @@ struct Look {
     form: f32,
     tones: &'static str,
     shading: &'static str,
+    hatching: &'static str,
 }
 
 impl Look {
@@ -49,6 +52,7 @@ impl Look {
         form: 0.6,
         tones: r##"["#7f93aa", "#bccad8", "#f2f6f9"]"##,
         shading: "per-pixel",
+        hatching: "on = false",
     };
     /// All that can be pre-shaded.
     const TWO_TONES: Self = Self { form: 0.0, tones: r##"["#8c8c8c", "#ffffff"]"##, ..Self::BODY };
@@ -62,6 +66,8 @@ impl Look {
             "body+ink+shadow" => Self { ink: true, shadow: true, ..Self::BODY },
             "body+shadow" => Self { shadow: true, ..Self::BODY },
             "body+ink form=0" => Self { ink: true, form: 0.0, ..Self::BODY },
+            "body+hatching" => Self { hatching: "layers = 2", ..Self::BODY },
+            "body+hatching by number" => Self { hatching: "layers = 3, swell = 0", ..Self::BODY },
             "two tones per-pixel" => Self::TWO_TONES,
             "two tones pre-shaded" => Self::PRE_SHADED,
             "pre-shaded+ink" => Self { ink: true, ..Self::PRE_SHADED },
@@ -71,7 +77,7 @@ impl Look {
     }
 
     fn scene(&self) -> String {
-        let Self { ink, shadow, form, tones, shading } = self;
+        let Self { ink, shadow, form, tones, shading, hatching } = self;
         let particles = cloud::FILE;
         format!(
             r##"
@@ -95,6 +101,7 @@ form = {form:?}
 shading = "{shading}"
 ink = {{ on = {ink}, width = {{ px = 2.0 }} }}
 shadow = {{ on = {shadow} }}
+hatching = {{ {hatching} }}
 [[object]]
 name = "plume"
 kind = "cloud"

@@ -5,10 +5,10 @@ mod common;
 
 use common::{load, load_with};
 use fumetto_scene::{
-    Along, Background, Burst, Colour, Curve, Detail, Ease, EmitterShape, Exaggerate, Follow, Force, Given, Gooch, Hatching, Highlight,
-    Ink, InkMethod, Light, LightKind, Matter, Mesh, Metamorphosis, Morph, Noise, Particle, Profile, Puffs,
-    Ramp, RampImage, RampRows, Resolution, Rim, Rings, Scene, SceneText, Shading, Shape, Smoke, Spacing,
-    Style, StyleChoice, Surface, Tone, Transform, Volume, VolumeNoise, Width,
+    Along, Background, Burst, Colour, Curve, Detail, Ease, EmitterShape, Exaggerate, Follow, Force, Given,
+    Gooch, Hatching, Highlight, Ink, InkMethod, Light, LightKind, Matter, Mesh, Metamorphosis, Morph, Noise,
+    Particle, Profile, Puffs, Ramp, RampImage, RampRows, Resolution, Rim, Rings, Scene, SceneText, Shading,
+    Shape, Smoke, Spacing, Style, StyleChoice, Surface, Tone, Transform, Volume, VolumeNoise, Width,
 };
 
 fn srgb(hex: u32) -> Colour {

@@ -16,7 +16,10 @@ use crate::{
     shapes::puffs::{Body, FRONT, Form, INK, Normal, Occlusion, PuffScene, Pyramid, QUADS, REST, Subject},
     shapes::volume::{March, VolumeScene},
     tiles::Part,
-    tone::{CEL_FORMAT, Canvas, Compose, Copied, Features, Flat, Ground, Hatched, Inked, Sheet, Sprites, Under, Veil},
+    tone::{
+        CEL_FORMAT, Canvas, Compose, Copied, Features, Flat, Ground, Hatched, Inked, Sheet, Sprites, Under,
+        Veil,
+    },
 };
 
 /// All passes of a picture.

@@ -127,6 +127,11 @@ fn cottage_looks_as_it_did() {
 }
 
 #[test]
+fn engraving_looks_as_it_did() {
+    check("engraving", 0);
+}
+
+#[test]
 fn edges_looks_as_it_did() {
     check("edges", 0);
 }

@@ -128,6 +128,13 @@ fn dashes() {
 }
 
 #[test]
+fn strokes() {
+    let hatching = "{ wobble = { px = 1 }, tooth = 0.5, spacing = { px = 9 }, follow = \"object\" }";
+    check("cumulus", 0, &[("style.hatching", hatching)]);
+    check("engraving", 0, &[]);
+}
+
+#[test]
 fn pre_shaded_puffs() {
     check("lamp", 96, &[("style.shading", "\"pre-shaded\"")]);
 }

@@ -79,7 +79,11 @@ impl Ground {
         smooth_px: Option<f32>,
     ) -> Grounded {
         let Some(smooth_px) = smooth_px.filter(|px| *px > 0.0) else {
-            return Grounded { slopes: frame.texture("tone.slopes", [1, 1], SLOPES_FORMAT), step: 1, far_px: 0.0 };
+            return Grounded {
+                slopes: frame.texture("tone.slopes", [1, 1], SLOPES_FORMAT),
+                step: 1,
+                far_px: 0.0,
+            };
         };
         let step = if smooth_px < RADIUS * STEPS[1] { STEPS[0] } else { STEPS[1] };
         let far_px = smooth_px.max(STEEPEST * step);
@@ -90,7 +94,11 @@ impl Ground {
             let uniform = GroundUniform { axis, radius, step: step as i32, far_px, pad: [0.0; 3] };
             distances = self.smooth(frame, view, layers, &distances, uniform);
         }
-        let slopes = frame.texture("tone.slopes", [distances.texture().width(), distances.texture().height()], SLOPES_FORMAT);
+        let slopes = frame.texture(
+            "tone.slopes",
+            [distances.texture().width(), distances.texture().height()],
+            SLOPES_FORMAT,
+        );
         let uniform = frame.uniform("tone.slopes.uniform", &SlopesUniform { step, far_px, pad: [0.0; 2] });
         frame.fullscreen(
             "tone.slopes",

@@ -8,6 +8,7 @@ mod details;
 mod edges;
 mod errors;
 mod exports;
+mod hatching;
 mod ink;
 mod ink_methods;
 mod light;
