@@ -66,6 +66,11 @@ fn printed(engine: &mut Engine, player: &Player, shot: &Shot) -> Image {
 
 /// Draws both ways.
 fn check(name: &str, frame: u32, set: &[(&str, &str)]) {
+    check_within(0, name, frame, set);
+}
+
+/// Draws both ways; a channel may differ by `most`.
+fn check_within(most: u8, name: &str, frame: u32, set: &[(&str, &str)]) {
     let mut engine = ENGINE.lock().unwrap_or_else(PoisonError::into_inner);
     let player = play(&engine, name, frame, set);
     let shot = Shot::of(player.scene());
@@ -73,7 +78,9 @@ fn check(name: &str, frame: u32, set: &[(&str, &str)]) {
     let printed = printed(&mut engine, &player, &shot);
     assert_eq!([whole.width, whole.height], [printed.width, printed.height]);
     let places = whole.pixels.chunks(4).zip(printed.pixels.chunks(4)).enumerate();
-    let differ: Vec<_> = places.filter(|(_, (a, b))| a != b).map(|(i, _)| (i % 480, i / 480)).collect();
+    let is_apart = |(a, b): (&[u8], &[u8])| a.iter().zip(b).any(|(a, b)| a.abs_diff(*b) > most);
+    let differ: Vec<_> =
+        places.filter(|(_, pair)| is_apart(*pair)).map(|(i, _)| (i % 480, i / 480)).collect();
     let share = differ.len() as f64 / f64::from(whole.width * whole.height);
     eprintln!("{name}: {} pixels differ, {share:.1e} of all", differ.len());
     assert!(
@@ -130,8 +137,9 @@ fn dashes() {
 #[test]
 fn strokes() {
     let hatching = "{ wobble = { px = 1 }, tooth = 0.5, spacing = { px = 9 }, follow = \"object\" }";
-    check("cumulus", 0, &[("style.hatching", hatching)]);
-    check("engraving", 0, &[]);
+    // A sample's share of a stroke is a fraction, which may be rounded to either side.
+    check_within(1, "cumulus", 0, &[("style.hatching", hatching)]);
+    check_within(1, "engraving", 0, &[]);
 }
 
 #[test]
