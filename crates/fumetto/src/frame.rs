@@ -5,7 +5,7 @@ use glam::Vec3;
 use crate::{
     Player, Shot,
     cels::{Cel, cels},
-    gpu::{Compact, DrawList, Frame, Gpu, Listing, Region, Target, TexturePool, Transient, View},
+    gpu::{Compact, DrawList, Frame, Gpu, Region, Target, TexturePool, Transient, View},
     ink::{Angle, Gather, INK_FORMAT, Image, InkAround, Inner, Methods, Outline, Pen, Shell, Vector},
     layers::Layers,
     lengths::SETTLE,
@@ -13,7 +13,7 @@ use crate::{
     proof::Proof,
     setting::Setting,
     shapes::mesh,
-    shapes::puffs::{Body, FRONT, Form, INK, Normal, Occlusion, PuffScene, Pyramid, QUADS, REST, Subject},
+    shapes::puffs::{Binning, Bins, Body, Form, Normal, PuffScene, Pyramid, Reduce, Subject},
     shapes::volume::{March, VolumeScene},
     tiles::Part,
     tone::{
@@ -25,9 +25,10 @@ use crate::{
 /// All passes of a picture.
 pub(crate) struct Painter {
     compact: Compact,
-    occlusion: Occlusion,
+    reduce: Reduce,
     form: Form,
     meshes: mesh::Body,
+    binning: Binning,
     body: Body,
     march: March,
     normal: Normal,
@@ -52,21 +53,21 @@ pub(crate) struct Painter {
 
 /// What is needed for pictures of one size and scenes of one number of puffs.
 struct Room {
-    count: u32,
+    bins: Bins,
+    /// These three are for shadows.
     pyramid: Pyramid,
     flags: wgpu::Buffer,
-    /// For one pass after another.
     list: DrawList,
-    inks: DrawList,
 }
 
 impl Painter {
     pub(crate) fn new(gpu: &Gpu) -> Self {
         Self {
             compact: Compact::new(gpu),
-            occlusion: Occlusion::new(gpu),
+            reduce: Reduce::new(gpu),
             form: Form::new(gpu),
             meshes: mesh::Body::new(gpu),
+            binning: Binning::new(gpu),
             body: Body::new(gpu),
             march: March::new(gpu),
             normal: Normal::new(gpu),
@@ -143,7 +144,7 @@ impl Painter {
         let layers = self.fill(&mut frame, subject, room, filled, None);
         self.form.record(&mut frame, subject.scene, &cel.members);
         let normal = self.normal.record(&mut frame, subject, &layers, 1);
-        let ink = self.ink(&mut frame, subject, &setting, &cel.members, (&layers, None, &room.inks));
+        let ink = self.ink(&mut frame, subject, &setting, &cel.members, (&layers, None, &room.bins));
         frame.submit();
         Proof { depth: layers.depth, id: layers.id, normal, ink }
     }
@@ -185,9 +186,9 @@ impl Painter {
         if canvas.is_picture {
             self.compose.lay(frame, under, setting.sheet, target);
         }
-        self.tone(frame, subject, setting, cel, (&layers, &shadow), canvas);
+        self.tone(frame, subject, setting, (cel, room), (&layers, &shadow), canvas);
         let own = own.map(|own| self.veil.record(frame, setting.objects(cel), &layers, own));
-        let ink = self.ink(frame, subject, setting, &cel.members, (&layers, opaque, &room.inks));
+        let ink = self.ink(frame, subject, setting, &cel.members, (&layers, opaque, &room.bins));
         let around = self.gather.record(frame, &ink, layers.size, setting.ink_length_px(&cel.members));
         let inked = Inked { ink: &ink, around: &around, known };
         match own {
@@ -197,7 +198,7 @@ impl Painter {
         (layers, around)
     }
 
-    /// Fills the layers, and lists what is to be inked.
+    /// Fills the layers.
     fn fill(
         &self,
         frame: &mut Frame<'_>,
@@ -206,19 +207,15 @@ impl Painter {
         (volumes, members, size): (&VolumeScene, &[usize], [u32; 2]),
         nearer: Option<&Layers>,
     ) -> Layers {
-        let listing = |mask| Listing { items: subject.scene.count, mask, quads: QUADS };
         let mut layers = Layers::new(frame, size);
         layers.begin(frame, nearer.map(|nearer| &nearer.depth));
         self.meshes.record(frame, subject, members, layers.target());
-        self.occlusion.front(frame, subject, &room.pyramid, &room.flags);
-        self.compact.record(frame, &room.flags, listing(FRONT), &room.list);
-        self.body.record(frame, subject, &room.list, layers.target());
-        self.occlusion.rest(frame, subject, &room.pyramid, &room.flags, &layers.depth);
-        self.compact.record(frame, &room.flags, listing(REST), &room.list);
-        self.body.record(frame, subject, &room.list, layers.target());
+        let is_empty = !layers.is_over && subject.meshes.is_empty();
+        if subject.scene.count > 0 {
+            self.binning.record(frame, subject, &room.bins);
+            self.body.record(frame, subject, &room.bins, &layers, is_empty);
+        }
         self.march.record(frame, subject, (volumes, members), &mut layers);
-        self.occlusion.inks(frame, subject, &room.pyramid, &room.flags, &layers.depth);
-        self.compact.record(frame, &room.flags, listing(INK), &room.inks);
         layers
     }
 
@@ -234,6 +231,7 @@ impl Painter {
         let step = setting.shadow_step();
         let casting = Casting {
             compact: &self.compact,
+            reduce: &self.reduce,
             flags: &room.flags,
             list: &room.list,
             pyramid: &room.pyramid,
@@ -250,14 +248,22 @@ impl Painter {
         frame: &mut Frame<'_>,
         subject: Subject<'_>,
         setting: &Setting<'_>,
-        cel: &Cel,
+        (cel, room): (&Cel, &Room),
         (layers, shadow): (&Layers, &Transient),
         canvas: Canvas<'_>,
     ) {
         let ramps = &setting.player.ramps;
         if cel.pre_shaded {
             let sprites = self.sprites.record(frame, subject, ramps, setting.look(cel));
-            return self.copied.record(frame, subject, (layers, shadow), &sprites, ramps, canvas);
+            let shadow = setting.lights.casting().next().map(|_| shadow);
+            return self.copied.record(
+                frame,
+                subject,
+                (layers, shadow),
+                (&sprites, &room.bins.projected),
+                ramps,
+                canvas,
+            );
         }
         let step = if setting.clean_px() >= 2.0 { 2 } else { 1 };
         let radius = (setting.clean_px() / step as f32).round() as u32;
@@ -279,7 +285,7 @@ impl Painter {
         subject: Subject<'_>,
         setting: &Setting<'_>,
         members: &[usize],
-        (layers, nearer, inks): (&Layers, Option<&Layers>, &DrawList),
+        (layers, nearer, bins): (&Layers, Option<&Layers>, &Bins),
     ) -> Transient {
         let ink = frame.texture("ink.lines", layers.size, INK_FORMAT);
         frame.clear("ink.begin", Target::colour(&ink, Some(wgpu::Color::TRANSPARENT)));
@@ -290,27 +296,27 @@ impl Painter {
             let inner = self.inner.record(frame, subject, &self.meshes, (level, &inside), from);
             self.lines(frame, subject, setting, (&inside, &inner, None), &ink);
         }
-        self.lines(frame, subject, setting, (members, layers, Some(inks)), &ink);
+        self.lines(frame, subject, setting, (members, layers, Some(bins)), &ink);
         ink
     }
 
     /// Adds to `ink` the lines of what `layers` show of some objects, each one's as its style finds them, and
-    /// those of the listed puffs.
+    /// those of the puffs that `bins` lists.
     fn lines(
         &self,
         frame: &mut Frame<'_>,
         subject: Subject<'_>,
         setting: &Setting<'_>,
-        (members, layers, puffs): (&[usize], &Layers, Option<&DrawList>),
+        (members, layers, bins): (&[usize], &Layers, Option<&Bins>),
         ink: &Transient,
     ) {
         let methods = Methods::of(&setting.player.drawn(), members, setting.view.picture_height);
         let along_edges = setting.pens(members).iter().any(Pen::follows_edges);
         let lines =
             along_edges.then(|| self.vector.record(frame, subject, &self.compact, (layers, members), ink));
-        if let Some(puffs) = puffs {
+        if let Some(bins) = bins.filter(|_| methods.outline) {
             let depth = lines.as_ref().unwrap_or(&layers.depth);
-            self.outline.record(frame, subject, puffs, (layers, depth), ink);
+            self.outline.record(frame, subject, bins, (layers, depth), ink);
         }
         if methods.angle {
             self.form.record(frame, subject.scene, members);
@@ -322,10 +328,10 @@ impl Painter {
     }
 
     fn make_room(&mut self, gpu: &Gpu, scene: &PuffScene, size: [u32; 2]) {
-        let fits = |room: &Room| room.count == scene.count && room.pyramid.size == size;
+        let fits = |room: &Room| room.bins.count == scene.count && room.bins.size == size;
         if !self.room.as_ref().is_some_and(fits) {
             self.room = Some(Room {
-                count: scene.count,
+                bins: Bins::new(gpu, scene.count, size),
                 pyramid: Pyramid::new(gpu, size),
                 flags: gpu.device.create_buffer(&wgpu::BufferDescriptor {
                     label: Some("frame.flags"),
@@ -333,8 +339,7 @@ impl Painter {
                     usage: wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC,
                     mapped_at_creation: false,
                 }),
-                list: DrawList::new(gpu, "frame.list", scene.count, QUADS),
-                inks: DrawList::new(gpu, "frame.inks", scene.count, QUADS),
+                list: DrawList::without_indices(gpu, "frame.list", scene.count),
             });
         }
     }

@@ -24,6 +24,8 @@ pub(crate) const SOFT_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16F
 #[derive(Debug)]
 pub(crate) struct Layers {
     pub(crate) size: [u32; 2],
+    /// Whether its depth began with that of another cel.
+    pub(crate) is_over: bool,
     pub(crate) depth: Transient,
     pub(crate) id: Transient,
     /// These three are of volumes, and of one pixel where there is none.
@@ -37,6 +39,7 @@ impl Layers {
     pub(crate) fn new(frame: &Frame<'_>, size: [u32; 2]) -> Self {
         Self {
             size,
+            is_over: false,
             depth: frame.texture("layers.depth", size, DEPTH_FORMAT),
             id: frame.texture("layers.id", size, ID_FORMAT),
             hits: frame.texture("layers.hits", [1, 1], HITS_FORMAT),
@@ -53,7 +56,8 @@ impl Layers {
     }
 
     /// Empties the layers; only what lies before the depth `nearer` will be drawn.
-    pub(crate) fn begin(&self, frame: &mut Frame<'_>, nearer: Option<&Transient>) {
+    pub(crate) fn begin(&mut self, frame: &mut Frame<'_>, nearer: Option<&Transient>) {
+        self.is_over = nearer.is_some();
         if let Some(nearer) = nearer {
             let (from, to) = (nearer.texture(), self.depth.texture());
             frame.encoder.copy_texture_to_texture(from.as_image_copy(), to.as_image_copy(), from.size());

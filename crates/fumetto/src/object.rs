@@ -52,6 +52,14 @@ pub(crate) fn ink_method(object: &Object) -> InkMethod {
     }
 }
 
+/// Whether an object's puffs have ink billboards. Puffs that are the matter of a surface or a volume are never
+/// drawn singly.
+pub(crate) fn has_outline(object: &Object) -> bool {
+    let ink = &object.style.ink;
+    let is_elsewhere = matches!(ink_method(object), InkMethod::Angle | InkMethod::Image);
+    object.shape.puffs().is_some() && ink.on && ink.silhouette.on && !is_elsewhere
+}
+
 impl ObjectStyle {
     /// The style of `object`, the scene's `index`-th, in a picture `height_px` samples high.
     pub(crate) fn new(object: &Object, index: u32, height_px: u32, in_cel: bool) -> Self {
@@ -69,9 +77,7 @@ impl ObjectStyle {
         };
         let flag = |on, bit| if on { bit } else { 0 };
         let volume = object.shape.volume();
-        // Puffs that are the matter of a surface or a volume are never drawn singly.
         let has_puffs = object.shape.puffs().is_some();
-        let has_outline = has_puffs && style.ink.on && style.ink.silhouette.on;
         Self {
             ink_width_px,
             ink_width_m,
@@ -85,7 +91,7 @@ impl ObjectStyle {
             shadow_reach: style.shadow.reach,
             shadow_start: style.shadow.start,
             shadow_size: style.shadow.size,
-            flags: flag(has_outline && method & (ANGLE_INK | IMAGE_INK) == 0, HAS_INK)
+            flags: flag(has_outline(object), HAS_INK)
                 | flag(style.ink.on, method)
                 | flag(has_puffs && style.shadow.on && object.visible, THROWS_SHADOW)
                 | flag(has_puffs && in_cel, IN_CEL)

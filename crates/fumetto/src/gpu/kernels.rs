@@ -14,10 +14,14 @@ pub(crate) enum Slot {
     WriteTexture3d,
     /// A 3-D texture of whole numbers that is written.
     WriteIds3d,
+    /// A texture of such texels that is written.
+    WriteTexels(wgpu::TextureFormat),
+    /// A texture of such texels that is read with no sampler.
+    ReadTexels(wgpu::TextureFormat),
+    /// A texture of whole numbers that is read.
+    Ids,
     /// A depth texture that is read.
     Depth,
-    /// A texture of floats that is read.
-    Texture,
     /// A 3-D texture of floats that is read.
     Texture3d,
     /// A sampler that does not filter.
@@ -34,11 +38,13 @@ impl Slot {
             view_dimension,
             multisampled: false,
         };
-        let written = |format| wgpu::BindingType::StorageTexture {
-            access: wgpu::StorageTextureAccess::WriteOnly,
+        let texels = |access, format, view_dimension| wgpu::BindingType::StorageTexture {
+            access,
             format,
-            view_dimension: wgpu::TextureViewDimension::D3,
+            view_dimension,
         };
+        let written =
+            |format, view_dimension| texels(wgpu::StorageTextureAccess::WriteOnly, format, view_dimension);
         let floats = wgpu::TextureSampleType::Float { filterable: true };
         match self {
             Self::Uniform => buffer(wgpu::BufferBindingType::Uniform),
@@ -47,10 +53,14 @@ impl Slot {
             Self::Depth => texture(wgpu::TextureSampleType::Depth, wgpu::TextureViewDimension::D2),
             Self::Nearest => wgpu::BindingType::Sampler(wgpu::SamplerBindingType::NonFiltering),
             Self::Linear => wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering),
-            Self::Texture => texture(floats, wgpu::TextureViewDimension::D2),
             Self::Texture3d => texture(floats, wgpu::TextureViewDimension::D3),
-            Self::WriteTexture3d => written(wgpu::TextureFormat::Rgba16Float),
-            Self::WriteIds3d => written(wgpu::TextureFormat::R32Uint),
+            Self::WriteTexture3d => written(wgpu::TextureFormat::Rgba16Float, wgpu::TextureViewDimension::D3),
+            Self::WriteIds3d => written(wgpu::TextureFormat::R32Uint, wgpu::TextureViewDimension::D3),
+            Self::WriteTexels(format) => written(format, wgpu::TextureViewDimension::D2),
+            Self::Ids => texture(wgpu::TextureSampleType::Uint, wgpu::TextureViewDimension::D2),
+            Self::ReadTexels(format) => {
+                texels(wgpu::StorageTextureAccess::ReadOnly, format, wgpu::TextureViewDimension::D2)
+            }
         }
     }
 }

@@ -66,6 +66,11 @@ impl TexturePool {
 
 impl Texture {
     fn new(device: &wgpu::Device, label: &str, size: wgpu::Extent3d, format: wgpu::TextureFormat) -> Self {
+        // Kernels may read these with no sampler.
+        let storage = match format {
+            wgpu::TextureFormat::R32Float => wgpu::TextureUsages::STORAGE_BINDING,
+            _ => wgpu::TextureUsages::empty(),
+        };
         let texture = device.create_texture(&wgpu::TextureDescriptor {
             label: Some(label),
             size,
@@ -76,7 +81,8 @@ impl Texture {
             usage: wgpu::TextureUsages::RENDER_ATTACHMENT
                 | wgpu::TextureUsages::TEXTURE_BINDING
                 | wgpu::TextureUsages::COPY_SRC
-                | wgpu::TextureUsages::COPY_DST,
+                | wgpu::TextureUsages::COPY_DST
+                | storage,
             view_formats: &[],
         });
         let view = texture.create_view(&wgpu::TextureViewDescriptor::default());

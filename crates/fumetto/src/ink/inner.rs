@@ -34,7 +34,7 @@ impl Inner {
         (level, members): (usize, &[usize]),
         (layers, nearer): (&Layers, Option<&Transient>),
     ) -> Layers {
-        let inner = Layers::new(frame, layers.size);
+        let mut inner = Layers::new(frame, layers.size);
         inner.begin(frame, nearer);
         let level = frame.uniform("ink.others.level", &[level as u32, 0, 0, 0]);
         frame.fullscreen(

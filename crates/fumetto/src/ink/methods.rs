@@ -2,7 +2,7 @@
 
 use fumetto_scene::{EdgeKind, InkMethod, Object, Width};
 
-use crate::object::ink_method;
+use crate::object::{has_outline, ink_method};
 
 /// The widest line that the picture itself is looked through for, as a share of the picture's height, where
 /// widths are in metres: how near the viewer comes to a surface is not known beforehand.
@@ -11,6 +11,8 @@ const WIDEST: f32 = 0.125;
 /// Which ways of finding lines a cel's objects want.
 #[derive(Debug, Default)]
 pub(crate) struct Methods {
+    /// Some by billboards behind their puffs.
+    pub(crate) outline: bool,
     /// Some by the angle between surface and viewer.
     pub(crate) angle: bool,
     /// Numbers of the objects that want a shell.
@@ -35,6 +37,7 @@ impl Methods {
             if !style.ink.on {
                 continue;
             }
+            methods.outline |= has_outline(objects[member]);
             match ink_method(objects[member]) {
                 InkMethod::Angle => methods.angle = true,
                 InkMethod::Shell => methods.shells.push(member),

@@ -2,56 +2,42 @@
 
 use super::INK_FORMAT;
 use crate::{
-    gpu::{DrawList, Frame, Gpu, RasterPipeline, Target, Transient, shader},
-    layers::{self, Layers},
-    shapes::puffs::{Atlas, Subject},
+    gpu::{Frame, Gpu, RasterPipeline, Slot, Target, Transient, kernels, shader},
+    layers::Layers,
+    shapes::puffs::{Bins, Subject, WALK_SLOTS},
 };
 
-/// The long-lived pipeline.
+/// Long-lived pipelines.
 #[derive(Debug)]
 pub(crate) struct Outline {
-    pipeline: wgpu::RenderPipeline,
+    first: wgpu::ComputePipeline,
+    over: wgpu::ComputePipeline,
+    draw: wgpu::RenderPipeline,
 }
 
 impl Outline {
     pub(crate) fn new(gpu: &Gpu) -> Self {
-        let module = gpu.device.create_shader_module(shader!("ink/outline"));
-        let pipeline = RasterPipeline {
-            label: "ink.outline",
-            targets: &[INK_FORMAT],
-            depth: Some(layers::in_front()),
-            ..Default::default()
-        };
-        Self { pipeline: pipeline.build(&gpu.device, &module) }
+        let slots: Vec<_> = WALK_SLOTS.into_iter().chain([Slot::Ids, Slot::Depth]).collect();
+        let [first, over] = kernels(gpu, shader!("ink/outline"), &slots, ["first", "over"]);
+        let module = gpu.device.create_shader_module(shader!("ink/outlined"));
+        let draw = RasterPipeline { label: "ink.outlined", targets: &[INK_FORMAT], ..Default::default() };
+        Self { first, over, draw: draw.build(&gpu.device, &module) }
     }
 
-    /// Inks the listed puffs into `ink`, where they are nearer than `depth` tells.
+    /// Inks the puffs that `bins` lists into `ink`, where they are nearer than `depth` tells.
     pub(crate) fn record(
         &self,
         frame: &mut Frame<'_>,
         subject: Subject<'_>,
-        list: &DrawList,
+        bins: &Bins,
         (layers, depth): (&Layers, &Transient),
         ink: &Transient,
     ) {
-        let Atlas { view: texture, sampler, uniform, .. } = &subject.scene.atlas;
-        frame.raster(
-            "ink.outline",
-            &self.pipeline,
-            Target::colour(ink, None).with_depth_test(depth),
-            &[
-                subject.view.as_entire_binding(),
-                uniform.as_entire_binding(),
-                subject.scene.puffs.as_entire_binding(),
-                list.items.as_entire_binding(),
-                subject.scene.styles.as_entire_binding(),
-                subject.lights.as_entire_binding(),
-                wgpu::BindingResource::TextureView(texture),
-                wgpu::BindingResource::Sampler(sampler),
-                wgpu::BindingResource::TextureView(&layers.id),
-                wgpu::BindingResource::TextureView(&layers.depth),
-            ],
-            |pass| list.draw(pass),
-        );
+        let mut bindings = bins.walk(subject);
+        bindings.extend([&layers.id, depth].map(|layer| wgpu::BindingResource::TextureView(layer)));
+        let find = if layers.is_over { &self.over } else { &self.first };
+        frame.compute_indirect("ink.outline", find, &bindings, &bins.dispatch);
+        let target = Target::colour(ink, None);
+        frame.raster("ink.outlined", &self.draw, target, &bins.covered(), |pass| bins.draw(pass));
     }
 }

@@ -1,81 +1,169 @@
-// Outlines: a second, larger billboard behind each puff (McGuire & Fein 2004, section 1.3). The margin
-// in the atlas makes it larger by the same width all round. It hides nothing itself, so that all ink
-// billboards only have to pass the depth of the bodies, in any order.
+// Outlines: a second, larger billboard behind each puff (McGuire & Fein 2004, section 1.3). The margin in the
+// atlas makes it larger by the same width all round. It hides no body; of several at one pixel the nearest is
+// drawn.
 //
 // Ours: lines taper where what lies behind comes close, and thin toward the light.
 
-@group(0) @binding(1) var<uniform> atlas: Atlas;
-@group(0) @binding(2) var<storage, read> puffs: array<Puff>;
-@group(0) @binding(3) var<storage, read> list: array<u32>;
-@group(0) @binding(4) var<uniform> styles: array<ObjectStyle, MAX_OBJECTS>;
-@group(0) @binding(5) var<uniform> lights: Lights;
-@group(0) @binding(6) var atlas_texture: texture_2d<f32>;
-@group(0) @binding(7) var atlas_sampler: sampler;
-@group(0) @binding(8) var id_layer: texture_2d<u32>;
-@group(0) @binding(9) var depth_layer: texture_depth_2d;
+@group(0) @binding(10) var id_layer: texture_2d<u32>;
+@group(0) @binding(11) var depth_layer: texture_depth_2d;
 
-struct Corner {
-    @builtin(position) position: vec4f,
-    // Place in the puff's own frame, and in the atlas.
-    @location(0) @interpolate(linear) p_uv: vec4f,
-    // In pairs: where the light comes from in the puff's own frame (0 to 1 long); widths of an outline and
-    // of an inner line, in the puff's margin; erosion and the share of the width that goes where it is
-    // lit; then pen + 1 and opacity in bytes.
-    @location(1) @interpolate(flat) ink: vec4u,
-    // Distance of the billboard, distance behind it at which lines have their full width.
-    @location(2) @interpolate(flat) taper: vec2f,
+// How far away is what each pixel shows, and a bit for each that shows anything of this cel.
+var<private> behind: array<f32, 16>;
+var<private> filled: u32;
+// What the ink layer will hold.
+var<private> marks: array<u32, 16>;
+
+// An ink billboard seen from a block.
+struct Line {
+    offset: vec2f,
+    texel: vec2f,
+    picture: Picture,
+    // Pixels to a radius.
+    radius_px: f32,
+    distance: f32,
+    // Distance behind it at which lines have their full width.
+    taper: f32,
+    light: vec2f,
+    // Of outlines and of inner lines, in the puff's margin.
+    widths: vec2f,
+    thinning: f32,
+    // What the ink layer holds of it.
+    mark: u32,
 }
 
-@vertex
-fn vertex(@builtin(vertex_index) index: u32) -> Corner {
-    let puff = puffs[list[index / 4u]];
-    let style = styles[puff_object(puff)];
-    let sprite = sprite_of(puff);
-    let width_px = ink_width_px(style, sprite.distance);
-    let offset = SQUARE[index % 4u] * (sprite.radius_px + width_px);
-    let distance = sprite.distance + style.ink_offset * 2.0 * puff.radius;
-    let rotation = puff_rotation(puff);
-    var light = vec2f(0.0);
-    if lights.count > 0u {
-        let direction = (view.view_from_world * vec4f(toward(lights.light[0], puff.center), 0.0)).xy;
-        light = puff_from_px(vec2f(direction.x, -direction.y), 1.0, rotation);
+fn margin_at(texel: vec2f) -> f32 {
+    let first = floor(texel);
+    let share = texel - first;
+    let four = textureLoad(heights, vec2i(first)).xy;
+    let left = vec2f(vec2u((four.x >> 8u) & 0xffu, (four.y >> 8u) & 0xffu));
+    let right = vec2f(vec2u(four.x >> 24u, four.y >> 24u));
+    let across = mix(left, right, share.x);
+    return mix(across.x, across.y, share.y) / 255.0;
+}
+
+fn look(line: Line, pixel: u32) {
+    let step = vec2f(pixel_of(pixel));
+    let offset = line.offset + step;
+    let picture = line.picture;
+    let texel = line.texel + step.x * picture.step + step.y * vec2f(-picture.step.y, picture.step.x);
+    let stored = margin_at(texel);
+    // Texels to a radius.
+    let p = (texel + 0.5 - picture.middle) / (length(picture.step) * line.radius_px);
+    let away = max(length(offset), 1e-3);
+    // Farther out than the atlas tells, a puff is much like a disc.
+    let outside = stored < 0.01 || any(abs(p) > vec2f(TILE_EXTENT - 0.05));
+    let margin = select(stored * 1.5 - 0.5, 0.9 - away / line.radius_px, outside);
+    let lit = max(dot(offset, line.light) / away, 0.0);
+    let taper = clamp((behind[pixel] - line.distance) / line.taper, 0.0, 1.0);
+    let outer = line.widths.x * (1.0 - line.thinning * lit);
+    let inner = line.widths.y * taper * (1.0 - line.thinning * min(2.0 * lit, 1.0));
+    let width = select(outer, inner, (filled & (1u << pixel)) != 0u);
+    let before = distances[pixel];
+    let nearer = line.distance < before || (line.distance == before && line.mark < marks[pixel]);
+    let inked = nearer && margin > picture.erosion - width;
+    distances[pixel] = select(before, line.distance, inked);
+    marks[pixel] = select(marks[pixel], line.mark, inked);
+}
+
+fn begin(px: vec2u, is_over: bool) {
+    filled = 0u;
+    for (var pixel = 0u; pixel < 16u; pixel++) {
+        let at = px + pixel_of(pixel);
+        let distance = min(distance_of(textureLoad(depth_layer, at, 0)), NOWHERE);
+        behind[pixel] = select(0.0, distance, all(vec2f(at) < view.size_px));
+        distances[pixel] = behind[pixel];
+        marks[pixel] = 0u;
+        var shows = distance < NOWHERE;
+        if is_over {
+            shows = textureLoad(id_layer, at, 0).x != 0u;
+        }
+        filled |= u32(shows) << pixel;
     }
-    let width = width_px / sprite.radius_px;
-    let p = puff_from_px(offset, sprite.radius_px, rotation);
-    let uv = atlas_uv(p, f32(puff_variant(puff)), atlas_level(sprite.radius_px, atlas), atlas);
-    return Corner(
-        clip_of(sprite.px + offset, depth_of(distance)),
-        vec4f(p, uv),
-        vec4u(
-            pack2x16snorm(light),
-            pack2x16float(vec2f(width, width * style.ink_inner)),
-            pack2x16unorm(vec2f(puff_fade(puff).x, style.ink_lit_thinning)),
-            (pen_number(puff_object(puff), SILHOUETTE) + 1u) | (u32(round(255.0 * puff_fade(puff).y)) << 8u),
-        ),
-        vec2f(distance, puff.radius),
+}
+
+// The next puff + 1 whose ink billboard is nearer than something that is seen.
+fn next_line(list: ptr<function, List>) -> u32 {
+    let far = farthest();
+    let rank = rank_limit(far);
+    loop {
+        let id = next_of(list, rank);
+        if id == 0u || bitcast<f32>(textureLoad(projected, projected_at(id - 1u, 2u)).w) < far {
+            return id;
+        }
+    }
+    return 0u;
+}
+
+fn line_of(id: u32, place: vec2f) -> Line {
+    let at = bitcast<vec4f>(textureLoad(projected, projected_at(id - 1u, 0u)));
+    let picture = picture_unpacked(textureLoad(projected, projected_at(id - 1u, 1u)));
+    let distance = bitcast<f32>(textureLoad(projected, projected_at(id - 1u, 2u)).w);
+    let ink = textureLoad(projected, projected_at(id - 1u, 3u));
+    let offset = place - at.xy;
+    return Line(
+        offset,
+        texel_of(picture, offset),
+        picture,
+        at.z,
+        distance,
+        at.z * at.w / view.focal_px,
+        unpack2x16snorm(ink.x),
+        unpack2x16float(ink.y),
+        bitcast<f32>(ink.z),
+        ink.w,
     );
 }
 
-@fragment
-fn fragment(corner: Corner) -> @location(0) vec2u {
-    let p = corner.p_uv.xy;
-    let light = unpack2x16snorm(corner.ink.x);
-    let widths = unpack2x16float(corner.ink.y);
-    let erosion_thinning = unpack2x16unorm(corner.ink.z);
-    let texel = textureSampleLevel(atlas_texture, atlas_sampler, corner.p_uv.zw, 0.0);
-    // Farther out than the atlas tells, a puff is much like a disc.
-    let outside = texel.w < 0.01 || any(abs(p) > vec2f(TILE_EXTENT - 0.05));
-    let margin = select(texel_margin(texel), 0.9 - length(p), outside);
-    let lit = max(dot(p, light) / max(length(p), 1e-3), 0.0);
-    let at = vec2i(corner.position.xy);
-    var width = widths.x * (1.0 - erosion_thinning.y * lit);
-    if textureLoad(id_layer, at, 0).x != 0u {
-        let gap = distance_of(textureLoad(depth_layer, at, 0)) - corner.taper.x;
-        let taper = clamp(gap / corner.taper.y, 0.0, 1.0);
-        width = widths.y * taper * (1.0 - erosion_thinning.y * min(2.0 * lit, 1.0));
+fn walk(slot: u32, lane: u32, is_over: bool) {
+    let px = block_px(slot, lane);
+    begin(px, is_over);
+    for (var levels = summary.levels; levels != 0u; levels &= levels - 1u) {
+        var list = list_of(firstTrailingBit(levels), px);
+        loop {
+            let id = next_line(&list);
+            if id == 0u {
+                break;
+            }
+            let line = line_of(id, vec2f(px) + 0.5);
+            look(line, 0u);
+            look(line, 1u);
+            look(line, 2u);
+            look(line, 3u);
+            look(line, 4u);
+            look(line, 5u);
+            look(line, 6u);
+            look(line, 7u);
+            look(line, 8u);
+            look(line, 9u);
+            look(line, 10u);
+            look(line, 11u);
+            look(line, 12u);
+            look(line, 13u);
+            look(line, 14u);
+            look(line, 15u);
+        }
     }
-    if margin <= erosion_thinning.x - width {
-        discard;
+    // Eight pixels to a texel.
+    for (var pixel = 0u; pixel < 16u; pixel += 8u) {
+        let left = vec4u(marks[pixel], marks[pixel + 2u], marks[pixel + 4u], marks[pixel + 6u]);
+        let right = vec4u(marks[pixel + 1u], marks[pixel + 3u], marks[pixel + 5u], marks[pixel + 7u]);
+        textureStore(found, (px + pixel_of(pixel)) / vec2u(4u, 2u), left | (right << vec4u(16u)));
     }
-    return vec2u(corner.ink.w & 0xffu, corner.ink.w >> 8u);
+}
+
+@compute @workgroup_size(64)
+fn first(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: vec3u, @builtin(local_invocation_index) lane: u32) {
+    let slot = slot_of(group, groups, lane);
+    if slot < draw[1] {
+        walk(slot, lane, false);
+    }
+}
+
+// Where what is nearer may be of another cel.
+@compute @workgroup_size(64)
+fn over(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: vec3u, @builtin(local_invocation_index) lane: u32) {
+    let slot = slot_of(group, groups, lane);
+    if slot < draw[1] {
+        walk(slot, lane, true);
+    }
 }

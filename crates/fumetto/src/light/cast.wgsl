@@ -16,8 +16,9 @@
 // The sixth is how many are listed.
 @group(0) @binding(6) var<storage, read> draw: array<u32, 6>;
 @group(0) @binding(7) var<uniform> styles: array<ObjectStyle, MAX_OBJECTS>;
-@group(0) @binding(8) var atlas_texture: texture_2d<f32>;
-@group(0) @binding(9) var depth_layer: texture_depth_2d;
+@group(0) @binding(8) var heights: texture_storage_2d<rg32uint, read>;
+// One for each texel of the mask.
+@group(0) @binding(9) var depths: texture_storage_2d<r32float, read>;
 @group(0) @binding(10) var<storage, read_write> mask: array<atomic<u32>>;
 
 // Invocations that share a large volume.
@@ -54,7 +55,8 @@ struct Cut {
     // Texel of the puff's middle in the atlas; texels from there to the volume's side.
     middle: vec2f,
     side: vec2f,
-    erosion: f32,
+    // Erosion, as the atlas holds margins.
+    margin: f32,
 }
 
 fn cut_of(puff: Puff, volume: Volume) -> Cut {
@@ -67,13 +69,12 @@ fn cut_of(puff: Puff, volume: Volume) -> Cut {
     let middle = atlas_uv(vec2f(0.0), f32(puff_variant(puff)), level, atlas);
     let rim = atlas_uv(own, f32(puff_variant(puff)), level, atlas);
     let texels = vec2f(atlas.variants, 2.0) * atlas.tile_px;
-    return Cut(middle * texels, (rim - middle) * texels, puff_fade(puff).x);
+    return Cut(middle * texels, (rim - middle) * texels, (puff_fade(puff).x + 0.5) * (255.0 / 1.5));
 }
 
 // Whether what is seen at a texel of the mask lies in the volume.
 fn shadowed(at: vec2i, volume: Volume, cut: Cut) -> bool {
-    let last_px = vec2i(textureDimensions(depth_layer)) - 1;
-    let depth = textureLoad(depth_layer, min(at * i32(casting.step), last_px), 0);
+    let depth = textureLoad(depths, at).x;
     let ray = ray_of((vec2f(at) + 0.5) * casting.step);
     // Closest approach of the ray and the axis: how far to the axis's side (in radii), along the ray, along
     // the axis.
@@ -82,8 +83,8 @@ fn shadowed(at: vec2i, volume: Volume, cut: Cut) -> bool {
     let side = dot(volume.middle, normal) * inverseSqrt(sine2) / volume.radius;
     let along_ray = dot(cross(volume.middle, volume.axis), normal) / sine2;
     let along_axis = dot(cross(volume.middle, ray), normal) / sine2;
-    let texel = textureLoad(atlas_texture, vec2i(cut.middle + cut.side * clamp(side, -1.0, 1.0)), 0);
-    let reach = texel.z * volume.radius;
+    let texel = textureLoad(heights, vec2i(cut.middle + cut.side * clamp(side, -1.0, 1.0))).x;
+    let reach = f32(texel & 0xffu) * (volume.radius / 255.0);
     let half = reach * inverseSqrt(sine2);
     // Between the beginning, which bulges as the puff does, and the end.
     let along = dot(ray, volume.axis);
@@ -92,7 +93,7 @@ fn shadowed(at: vec2i, volume: Volume, cut: Cut) -> bool {
     let last = along_ray + (volume.last - along_axis) * slope;
     let near = max(along_ray - half, min(first, last));
     let far = min(along_ray + half, max(first, last));
-    let is_there = abs(side) < 1.0 && texel_margin(texel) > cut.erosion && near < far && far > view.near;
+    let is_there = abs(side) < 1.0 && f32((texel >> 8u) & 0xffu) > cut.margin && near < far && far > view.near;
     return is_there && depth_of(far) <= depth && depth_of(near) > depth;
 }
 

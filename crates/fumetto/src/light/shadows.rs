@@ -10,11 +10,14 @@ use crate::{
         workgroups,
     },
     layers::Layers,
-    shapes::puffs::{Atlas, Pyramid, Subject},
+    shapes::puffs::{Atlas, HEIGHTS_SLOT, Pyramid, Reduce, Subject},
 };
 
 /// A channel for each light: above one half where its light is kept away.
 pub(crate) const SHADOW_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
+
+/// What each texel of the mask stands for.
+const DEPTHS_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::R32Float;
 
 /// Bits of a puff's flags, and of a texel in the mask. Also in `casting.wgsl`.
 const CASTS_SMALL: u32 = 1;
@@ -30,6 +33,7 @@ pub(crate) struct Shadows {
     casters: wgpu::ComputePipeline,
     small: wgpu::ComputePipeline,
     large: wgpu::ComputePipeline,
+    depths: wgpu::RenderPipeline,
     shadowed: wgpu::RenderPipeline,
     settle: wgpu::RenderPipeline,
 }
@@ -40,6 +44,7 @@ pub(crate) struct Casting<'a> {
     pub(crate) compact: &'a Compact,
     pub(crate) flags: &'a wgpu::Buffer,
     pub(crate) list: &'a DrawList,
+    pub(crate) reduce: &'a Reduce,
     pub(crate) pyramid: &'a Pyramid,
     /// Pixels of the picture along a texel of the mask.
     pub(crate) step: u32,
@@ -60,22 +65,24 @@ struct CastingUniform {
 
 impl Shadows {
     pub(crate) fn new(gpu: &Gpu) -> Self {
-        use Slot::{Depth, Read, Texture, Uniform, Write};
+        use Slot::{Read, ReadTexels, Uniform, Write};
         let slots = [Uniform, Uniform, Uniform, Uniform, Read, Uniform, Read, Write];
         let [casters] = kernels(gpu, shader!("light/casters"), &slots, ["main"]);
-        let slots = [Uniform, Uniform, Uniform, Uniform, Read, Read, Read, Uniform, Texture, Depth, Write];
+        let depths = ReadTexels(DEPTHS_FORMAT);
+        let slots =
+            [Uniform, Uniform, Uniform, Uniform, Read, Read, Read, Uniform, HEIGHTS_SLOT, depths, Write];
         let [small, large] = kernels(gpu, shader!("light/cast"), &slots, ["small", "large"]);
-        let raster = |label, program| {
+        let raster = |label, program, format| {
             let module = gpu.device.create_shader_module(program);
-            RasterPipeline { label, targets: &[SHADOW_FORMAT], ..Default::default() }
-                .build(&gpu.device, &module)
+            RasterPipeline { label, targets: &[format], ..Default::default() }.build(&gpu.device, &module)
         };
         Self {
             casters,
             small,
             large,
-            shadowed: raster("light.shadowed", shader!("light/shadowed")),
-            settle: raster("light.settle", shader!("light/settle")),
+            depths: raster("light.depths", shader!("light/depths"), DEPTHS_FORMAT),
+            shadowed: raster("light.shadowed", shader!("light/shadowed"), SHADOW_FORMAT),
+            settle: raster("light.settle", shader!("light/settle"), SHADOW_FORMAT),
         }
     }
 
@@ -93,6 +100,7 @@ impl Shadows {
             frame.clear("light.shadow", Target::colour(&nowhere, Some(wgpu::Color::TRANSPARENT)));
             return nowhere;
         }
+        casting.reduce.record(frame, casting.pyramid, &layers.depth);
         let size = layers.size.map(|pixels| pixels.div_ceil(casting.step));
         let mask = frame.zeros("light.mask", (size[0] * size[1]).div_ceil(32 / TEXEL_BITS));
         let uniform = |frame: &Frame<'_>, light, channel| {
@@ -100,6 +108,8 @@ impl Shadows {
             let uniform = CastingUniform { count, light, channel, step, size, pad: [0; 2] };
             frame.uniform("light.casting", &uniform)
         };
+        let whole = uniform(frame, 0, 0);
+        let depths = self.depths(frame, &whole, layers, size);
         for (light, channel) in lights.casting() {
             let uniform = uniform(frame, light, 1 << channel);
             self.find_casters(frame, subject, &uniform, casting);
@@ -109,19 +119,36 @@ impl Shadows {
             {
                 let listing = Listing { items: subject.scene.count, mask: bit, quads: 1 };
                 casting.compact.record(frame, casting.flags, listing, casting.list);
-                let bindings = cast_bindings(subject, &uniform, casting.list, layers, &mask);
+                let bindings = cast_bindings(subject, &uniform, casting.list, &depths, &mask);
                 frame.compute("light.cast", pipeline, &bindings, groups);
             }
         }
         let shadow = frame.texture("light.shadow", size, SHADOW_FORMAT);
-        let uniform = uniform(frame, 0, 0);
         frame.fullscreen(
             "light.shadowed",
             &self.shadowed,
             Target::colour(&shadow, Some(wgpu::Color::TRANSPARENT)),
-            &[uniform.as_entire_binding(), mask.as_entire_binding()],
+            &[whole.as_entire_binding(), mask.as_entire_binding()],
         );
         self.settle(frame, shadow, size, casting.settle)
+    }
+
+    /// What is seen, as coarse as the mask.
+    fn depths(
+        &self,
+        frame: &mut Frame<'_>,
+        casting: &wgpu::Buffer,
+        layers: &Layers,
+        size: [u32; 2],
+    ) -> Transient {
+        let depths = frame.texture("light.depths", size, DEPTHS_FORMAT);
+        frame.fullscreen(
+            "light.depths",
+            &self.depths,
+            Target::colour(&depths, Some(wgpu::Color::TRANSPARENT)),
+            &[casting.as_entire_binding(), wgpu::BindingResource::TextureView(&layers.depth)],
+        );
+        depths
     }
 
     /// Smooths the shadows' edges over `radius` texels.
@@ -171,10 +198,10 @@ fn cast_bindings<'a>(
     subject: Subject<'a>,
     uniform: &'a wgpu::Buffer,
     list: &'a DrawList,
-    layers: &'a Layers,
+    depths: &'a Transient,
     mask: &'a wgpu::Buffer,
 ) -> [wgpu::BindingResource<'a>; 11] {
-    let Atlas { view: texture, uniform: atlas, .. } = &subject.scene.atlas;
+    let Atlas { heights, uniform: atlas, .. } = &subject.scene.atlas;
     [
         subject.view.as_entire_binding(),
         atlas.as_entire_binding(),
@@ -184,8 +211,8 @@ fn cast_bindings<'a>(
         list.items.as_entire_binding(),
         list.draw.as_entire_binding(),
         subject.scene.styles.as_entire_binding(),
-        wgpu::BindingResource::TextureView(texture),
-        wgpu::BindingResource::TextureView(&layers.depth),
+        wgpu::BindingResource::TextureView(heights),
+        wgpu::BindingResource::TextureView(depths),
         wgpu::BindingResource::Buffer(mask.as_entire_buffer_binding()),
     ]
 }

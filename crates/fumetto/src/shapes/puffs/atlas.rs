@@ -4,7 +4,7 @@ use fumetto_scene::Puffs;
 use thiserror::Error;
 
 use super::bundle::{Bundles, HOLES};
-use crate::gpu::{Frame, Gpu, RasterPipeline, Target, TexturePool, linear_sampler, shader};
+use crate::gpu::{Frame, Gpu, RasterPipeline, Slot, Target, TexturePool, linear_sampler, shader};
 
 /// Half the width of a tile over the puff's radius: room for ink around it. Also in `billboard.wgsl`.
 const TILE_EXTENT: f32 = 1.25;
@@ -12,6 +12,11 @@ const TILE_EXTENT: f32 = 1.25;
 /// Bytes: software rasterisers filter them several times faster than half floats, and puffs fill the
 /// screen many times over.
 const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
+
+const HEIGHTS_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rg32Uint;
+
+/// How kernels bind [`Atlas::heights`].
+pub(crate) const HEIGHTS_SLOT: Slot = Slot::ReadTexels(HEIGHTS_FORMAT);
 
 /// All variants of a puff in one texture, side by side.
 ///
@@ -22,6 +27,8 @@ const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 pub(crate) struct Atlas {
     pub(crate) texture: wgpu::Texture,
     pub(crate) view: wgpu::TextureView,
+    /// Heights and margins by fours, as `heights.wgsl` tells.
+    pub(crate) heights: wgpu::TextureView,
     pub(crate) sampler: wgpu::Sampler,
     pub(crate) uniform: wgpu::Buffer,
     /// How many there are.
@@ -91,6 +98,7 @@ impl Atlas {
         let mut frame = Frame::new(gpu, &pool, "shapes.puffs.atlas");
         let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
         render(&mut frame, kinds, tile_px as f32, &view);
+        let heights = heights(&mut frame, &view, size);
         let uniform = AtlasUniform {
             variants: variants as f32,
             tile_px: tile_px as f32,
@@ -99,7 +107,7 @@ impl Atlas {
         };
         let uniform = frame.uniform("shapes.puffs.atlas.uniform", &uniform);
         frame.submit();
-        Ok(Self { view, texture, sampler: linear_sampler(gpu), uniform, variants, tile_px })
+        Ok(Self { view, heights, texture, sampler: linear_sampler(gpu), uniform, variants, tile_px })
     }
 }
 
@@ -121,6 +129,28 @@ fn render(frame: &mut Frame<'_>, kinds: &[Puffs], tile_px: f32, target: &wgpu::T
     );
 }
 
+fn heights(frame: &mut Frame<'_>, atlas: &wgpu::TextureView, size: [u32; 2]) -> wgpu::TextureView {
+    let device = &frame.gpu.device;
+    let module = device.create_shader_module(shader!("shapes/puffs/heights"));
+    let label = "shapes.puffs.heights";
+    let pipeline =
+        RasterPipeline { label, targets: &[HEIGHTS_FORMAT], ..Default::default() }.build(device, &module);
+    let texture = device.create_texture(&wgpu::TextureDescriptor {
+        label: Some(label),
+        size: wgpu::Extent3d { width: size[0], height: size[1], depth_or_array_layers: 1 },
+        mip_level_count: 1,
+        sample_count: 1,
+        dimension: wgpu::TextureDimension::D2,
+        format: HEIGHTS_FORMAT,
+        usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::STORAGE_BINDING,
+        view_formats: &[],
+    });
+    let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
+    let target = Target::colour(&view, Some(wgpu::Color::TRANSPARENT));
+    frame.fullscreen(label, &pipeline, target, &[wgpu::BindingResource::TextureView(atlas)]);
+    view
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -128,5 +158,5 @@ mod tests {
 
     layout_test!(bundles_lie_as_their_twin: BundlesUniform, "Bundles" of "shapes/puffs/atlas" { tile_px, extent, balls, holes });
 
-    layout_test!(the_atlas_lies_as_its_twin: AtlasUniform, "Atlas" of "shapes/puffs/body" { variants, tile_px, levels });
+    layout_test!(the_atlas_lies_as_its_twin: AtlasUniform, "Atlas" of "shapes/puffs/project" { variants, tile_px, levels });
 }

@@ -9,10 +9,6 @@ struct Atlas {
     levels: f32,
 }
 
-// The corners of a quad. One triangle around the circle would have fewer, but a software rasteriser
-// spends more on the pixels that it covers in vain.
-const SQUARE = array(vec2f(-1.0, -1.0), vec2f(1.0, -1.0), vec2f(1.0, 1.0), vec2f(-1.0, 1.0));
-
 // From an offset in pixels (y down) to the puff's own frame (radius 1, y up).
 fn puff_from_px(offset_px: vec2f, radius_px: f32, rotation: vec2f) -> vec2f {
     let p = vec2f(offset_px.x, -offset_px.y) / radius_px;

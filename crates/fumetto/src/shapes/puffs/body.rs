@@ -1,54 +1,51 @@
 //! Draws puffs into the depth and id layers.
 
-use super::{atlas::Atlas, scene::Subject};
+use super::{
+    bins::{Bins, WALK_SLOTS},
+    scene::Subject,
+};
 use crate::{
-    gpu::{DrawList, Frame, Gpu, RasterPipeline, Target, shader},
-    layers,
+    gpu::{Frame, Gpu, RasterPipeline, Slot, kernels, shader},
+    layers::{self, Layers},
 };
 
-/// Quads of a puff's billboard.
-pub(crate) const QUADS: u32 = 1;
-
-/// The long-lived pipeline.
+/// Long-lived pipelines.
 #[derive(Debug)]
 pub(crate) struct Body {
-    pipeline: wgpu::RenderPipeline,
+    alone: wgpu::ComputePipeline,
+    among: wgpu::ComputePipeline,
+    fill: wgpu::RenderPipeline,
 }
 
 impl Body {
     pub(crate) fn new(gpu: &Gpu) -> Self {
-        let module = gpu.device.create_shader_module(shader!("shapes/puffs/body"));
-        let pipeline = RasterPipeline {
-            label: "shapes.puffs.body",
+        let slots: Vec<_> = WALK_SLOTS.into_iter().chain([Slot::Depth]).collect();
+        let [alone, among] = kernels(gpu, shader!("shapes/puffs/nearest"), &slots, ["alone", "among"]);
+        let module = gpu.device.create_shader_module(shader!("shapes/puffs/fill"));
+        let fill = RasterPipeline {
+            label: "shapes.puffs.fill",
             targets: &[layers::ID_FORMAT],
             depth: Some(layers::nearest_wins()),
             ..Default::default()
         };
-        Self { pipeline: pipeline.build(&gpu.device, &module) }
+        Self { alone, among, fill: fill.build(&gpu.device, &module) }
     }
 
-    /// Draws the listed puffs over what `target` holds.
+    /// Draws what `bins` lists; `is_empty` tells that there is nothing in `layers` yet.
     pub(crate) fn record(
         &self,
         frame: &mut Frame<'_>,
         subject: Subject<'_>,
-        list: &DrawList,
-        target: Target<'_>,
+        bins: &Bins,
+        layers: &Layers,
+        is_empty: bool,
     ) {
-        let Atlas { view: texture, sampler, uniform, .. } = &subject.scene.atlas;
-        frame.raster(
-            "shapes.puffs.body",
-            &self.pipeline,
-            target,
-            &[
-                subject.view.as_entire_binding(),
-                uniform.as_entire_binding(),
-                subject.scene.puffs.as_entire_binding(),
-                list.items.as_entire_binding(),
-                wgpu::BindingResource::TextureView(texture),
-                wgpu::BindingResource::Sampler(sampler),
-            ],
-            |pass| list.draw(pass),
-        );
+        let mut bindings = bins.walk(subject);
+        bindings.push(wgpu::BindingResource::TextureView(&layers.depth));
+        let nearest = if is_empty { &self.alone } else { &self.among };
+        frame.compute_indirect("shapes.puffs.nearest", nearest, &bindings, &bins.dispatch);
+        frame.raster("shapes.puffs.fill", &self.fill, layers.target(), &bins.covered(), |pass| {
+            bins.draw(pass)
+        });
     }
 }

@@ -6,18 +6,20 @@
 //! puffs lie behind it, and normals may bend toward the form of the whole cloud.
 
 mod atlas;
+mod bins;
 mod body;
 mod bundle;
 mod form;
 mod normal;
-mod occlusion;
 mod present;
+mod pyramid;
 mod scene;
 
-pub(crate) use atlas::{Atlas, AtlasError};
-pub(crate) use body::{Body, QUADS};
+pub(crate) use atlas::{Atlas, AtlasError, HEIGHTS_SLOT};
+pub(crate) use bins::{Binning, Bins, WALK_SLOTS};
+pub(crate) use body::Body;
 pub(crate) use form::Form;
 pub(crate) use normal::Normal;
-pub(crate) use occlusion::{FRONT, INK, Occlusion, Pyramid, REST};
 pub(crate) use present::{Placement, Present, Puff, still_puffs};
+pub(crate) use pyramid::{Pyramid, Reduce};
 pub(crate) use scene::{PuffObject, PuffScene, Subject};
