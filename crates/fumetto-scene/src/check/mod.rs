@@ -5,6 +5,7 @@
 //! looked at; whoever calls throws the result away if an error was reported.
 
 mod at;
+mod imported;
 mod ink;
 mod mesh;
 mod morph;

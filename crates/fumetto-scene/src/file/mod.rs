@@ -3,6 +3,7 @@
 //! The doc comments here are the descriptions in the JSON Schema, so they speak to people who write
 //! scenes: units, ranges and defaults.
 
+mod imported;
 mod ink;
 mod mesh;
 mod morph;
@@ -16,6 +17,7 @@ mod values;
 mod volume;
 mod vortex;
 
+pub use imported::{ByteOrderFile, ImportedFile, RawFile, RawNumberFile, ReadFile};
 pub use ink::{CreaseFile, HiddenLinesFile, InkFile, InkMethodFile, PenFile, WidthFile};
 pub use mesh::{ScaleFile, TransformFile, UpFile};
 pub use morph::{EaseFile, MorphFile};
