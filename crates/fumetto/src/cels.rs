@@ -57,11 +57,9 @@ fn is_opaque(object: &Object) -> bool {
             .emitters
             .iter()
             .any(|emitter| emitter.opacity_over_life.points.iter().any(|&[_, opacity]| opacity < 1.0)),
-        Matter::Still(_)
-        | Matter::File(_)
-        | Matter::Morph(_)
-        | Matter::Mesh(_)
-        | Matter::Imported(_) => false,
+        Matter::Still(_) | Matter::File(_) | Matter::Morph(_) | Matter::Mesh(_) | Matter::Imported(_) => {
+            false
+        }
     };
     let is_soft = object.shape.volume().is_some_and(|volume| volume.soft > 0.0);
     object.opacity >= 1.0 && !fades && !is_soft

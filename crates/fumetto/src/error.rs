@@ -5,7 +5,12 @@ use thiserror::Error;
 
 use crate::{
     gpu::GpuError,
-    shapes::{mesh::MeshError, puffs::AtlasError, surface::SurfaceTooLarge, volume::{ImportError, VolumeTooLarge}},
+    shapes::{
+        mesh::MeshError,
+        puffs::AtlasError,
+        surface::SurfaceTooLarge,
+        volume::{ImportError, VolumeTooLarge},
+    },
 };
 
 /// Why a scene cannot be played or drawn.

@@ -9,7 +9,7 @@ use half::f16;
 use crate::{
     Engine, Error, Player,
     gpu::{GpuError, read_items, read_texture},
-    player::{PlayedMatter, load_imported, imported_path},
+    player::{PlayedMatter, imported_path, load_imported},
     shapes::volume::{CellField, CellGrid, Samples},
 };
 

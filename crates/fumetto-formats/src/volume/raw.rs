@@ -66,7 +66,8 @@ mod tests {
 
     #[test]
     fn what_is_too_short_or_too_large_is_refused() {
-        let error = |raw: Raw| read_raw_volume("head.raw", &bytes(), &raw).expect_err("it does not fit").to_string();
+        let error =
+            |raw: Raw| read_raw_volume("head.raw", &bytes(), &raw).expect_err("it does not fit").to_string();
         assert_eq!(
             error(Raw { skip: 6, ..RAW }),
             "head.raw: 3 x 2 x 2 numbers take 24 bytes, but after `skip` there are only 23; correct `raw`"

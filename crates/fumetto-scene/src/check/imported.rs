@@ -49,15 +49,15 @@ fn of_path(file: String) -> ReadFile {
 }
 
 fn check_file(at: &At<'_>, read: &ReadFile) {
-    let ReadFile { file: path, density, heat, range, heat_range, raw, .. } = read;
+    let ReadFile { file: path, density, heat, range, heat_range, .. } = read;
     let lower = path.to_lowercase();
     let place = if at.key("file").exists() { at.key("file") } else { *at };
-    if raw.is_none() && !EXTENSIONS.iter().any(|extension| lower.ends_with(extension)) {
+    if !at.key("raw").exists() && !EXTENSIONS.iter().any(|extension| lower.ends_with(extension)) {
         let message = format!("{path:?} is neither a .vdb, nor an .nrrd, nor an .npy file");
         let help = "export the volume as OpenVDB, or say with `raw` how its numbers lie in the file";
         place.error("unknown-format", message, help);
     }
-    let has_grids = raw.is_none() && lower.ends_with(".vdb");
+    let has_grids = !at.key("raw").exists() && lower.ends_with(".vdb");
     for (key, name) in [("density", density), ("heat", heat)] {
         if name.is_some() && !has_grids {
             let message = format!("`{key}` names a grid, and only a .vdb file has several");
@@ -92,7 +92,11 @@ fn check_sequence(at: &At<'_>, read: &ReadFile) {
         }
         None if read.repeats => {
             let message = "`loop` needs to know which file is the last".to_owned();
-            at.key("loop").error("endless-loop", message, "write `frames` with the first and the last number");
+            at.key("loop").error(
+                "endless-loop",
+                message,
+                "write `frames` with the first and the last number",
+            );
         }
         _ => {}
     }

@@ -12,9 +12,7 @@ pub(super) fn shape(at: &At<'_>, file: Option<&ShapeFile>, is_imported: bool, he
         Some(ShapeFile::Volume(file)) => Shape::Volume(volume(&at.key("volume"), file, is_imported)),
         Some(ShapeFile::Puffs(file)) => Shape::Puffs(puffs(&at.key("puffs"), *file)),
         Some(ShapeFile::Surface(file)) => Shape::Surface(surface(&at.key("surface"), file, height_px)),
-        None if is_imported => {
-            Shape::Volume(volume(&at.key("volume"), &VolumeFile::default(), is_imported))
-        },
+        None if is_imported => Shape::Volume(volume(&at.key("volume"), &VolumeFile::default(), is_imported)),
         None => Shape::Puffs(puffs(&at.key("puffs"), PuffsFile::default())),
     }
 }

@@ -2,8 +2,8 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{
-    EmitterFile, ForceFile, ImportedFile, MorphFile, OneOrMany, SolverFile, StyleFile, SurfaceFile, TransformFile, UpFile,
-    VolumeFile, VortexFile,
+    EmitterFile, ForceFile, ImportedFile, MorphFile, OneOrMany, SolverFile, StyleFile, SurfaceFile,
+    TransformFile, UpFile, VolumeFile, VortexFile,
 };
 use crate::limits;
 

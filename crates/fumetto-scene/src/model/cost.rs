@@ -91,11 +91,9 @@ impl Object {
     pub fn vortices(&self, step_secs: f64) -> u64 {
         match &self.matter {
             Matter::Smoke(smoke) => smoke.vortices(step_secs),
-            Matter::Still(_)
-            | Matter::File(_)
-            | Matter::Morph(_)
-            | Matter::Mesh(_)
-            | Matter::Imported(_) => 0,
+            Matter::Still(_) | Matter::File(_) | Matter::Morph(_) | Matter::Mesh(_) | Matter::Imported(_) => {
+                0
+            }
         }
     }
 

@@ -92,7 +92,12 @@ fn map(
     Ok(map)
 }
 
-fn field(gpu: &Gpu, map: &BrickMap, imported: &Imported, (frame, light): (u32, u32)) -> Result<BrickField, Error> {
+fn field(
+    gpu: &Gpu,
+    map: &BrickMap,
+    imported: &Imported,
+    (frame, light): (u32, u32),
+) -> Result<BrickField, Error> {
     let refused = |source: ImportError| Error::Imported { path: path(imported, frame), source };
     BrickField::new(gpu, map, light).map_err(refused)
 }

@@ -118,7 +118,8 @@ pub(super) fn play_matter(
             PlayedMatter::Smoke(Box::new(Plume::new(gpu, smoke, seed, scene.time.step_secs())))
         }
         Matter::Imported(imported) => {
-            let detail = object.shape.volume().map_or((1, None), |volume| (volume.light_cells, volume.lobe_m));
+            let detail =
+                object.shape.volume().map_or((1, None), |volume| (volume.light_cells, volume.lobe_m));
             let volume = PlayedVolume::new(gpu, assets, imported, first_frame, detail, notes)?;
             PlayedMatter::Imported(Box::new(volume))
         }

@@ -112,7 +112,7 @@ fn seen_at(id: u32, px: vec2i, distance: f32) -> Seen {
         let own = unpack4x8unorm(textureLoad(hits, px, 0).w);
         seen.opacity = 1.0;
         seen.heat = own.a;
-        seen.colour = mix(vec3f(1.0), own.rgb, styles[seen.object].material);
+        seen.colour = mix(vec3f(1.0), own_colour(own.rgb, seen.object), styles[seen.object].material);
         seen.through = textureLoad(light_layer, px, 0);
     }
     return seen;
@@ -122,7 +122,7 @@ fn is_volume(object: u32) -> bool {
     return HAS_VOLUMES && (styles[object].flags & IS_VOLUME) != 0u;
 }
 
-// A mesh's own colour, as its style takes it.
+// The own colour of a mesh or a volume, as its style takes it.
 fn own_colour(linear: vec3f, object: u32) -> vec3f {
     if HAS_STEPS && tones[object].material_steps > 0.0 {
         return quantised(linear, tones[object].material_steps);

@@ -77,7 +77,10 @@ impl Contents {
             Self::Volumes(grids) => {
                 let voxels: u64 = grids.iter().map(|grid| grid.voxels.active_count()).sum();
                 let names: Vec<&str> = grids.iter().map(|grid| grid.name.as_str()).collect();
-                (format!("{voxels} voxels in {}", names.join(", ")), json!({ "voxels": voxels, "grids": names }))
+                (
+                    format!("{voxels} voxels in {}", names.join(", ")),
+                    json!({ "voxels": voxels, "grids": names }),
+                )
             }
             Self::Meshes { solids, notes } => {
                 let triangles: usize = solids.iter().map(Solid::triangle_count).sum();

@@ -74,11 +74,13 @@ fn step_at(sight: Sight, number: f32, step: f32, offset: f32) -> Step {
 // The next step from `number` on that is in no void.
 fn next_occupied(sight: Sight, number: f32, step: f32, offset: f32) -> Step {
     var next = step_at(sight, number, step, offset);
-    var empty = void_at(next.at);
-    while next.start < sight.end && empty.side > 0.0 {
+    while next.start < sight.end {
+        let empty = void_at(next.at);
+        if empty.side == 0.0 {
+            break;
+        }
         let leap = ceil((end_of_void(sight.eye, sight.ray, empty) - sight.begin) / step - offset);
         next = step_at(sight, max(next.number + 1.0, leap), step, offset);
-        empty = void_at(next.at);
     }
     return next;
 }
@@ -151,13 +153,9 @@ fn surface_of(sight: Sight, px: vec2f, met: Met) -> vec4u {
 
 @fragment
 fn fragment(@builtin(position) position: vec4f) -> Marched {
-    if is_nothing() {
-        discard;
-    }
+    // Nothing is discarded before the end: with a discard ahead of loops, llvmpipe (LLVM 15) loses the pixels of which
+    // a triangle covers only some.
     let sight = sight_of(position.xy);
-    if sight.begin >= sight.end {
-        discard;
-    }
     // Metres and cells along the line of sight to a metre before the camera.
     let stretch = length(sight.way);
     let cells = length(sight.ray);
@@ -175,9 +173,9 @@ fn fragment(@builtin(position) position: vec4f) -> Marched {
     var lit = vec4f(0.0);
     var marched: Marched;
     var number = 0.0;
-    while left > SPENT {
+    while left > SPENT && !is_nothing() {
         let next = next_matter(sight, number, step, offset);
-        if next.start >= sight.end {
+        if !(next.start < sight.end) {
             break;
         }
         number = next.number + 1.0;
@@ -202,7 +200,7 @@ fn fragment(@builtin(position) position: vec4f) -> Marched {
         }
         left = after;
     }
-    if recipe.soft == 0.0 && marched.hit.x == 0u {
+    if marched.hit.x == 0u && (recipe.soft == 0.0 || left == 1.0) {
         discard;
     }
     let opacity = select(1.0 - left, 1.0, left <= SPENT);

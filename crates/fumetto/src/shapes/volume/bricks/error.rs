@@ -5,7 +5,9 @@ use thiserror::Error;
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum ImportError {
     /// No grid has the name that the scene says, or none is of single numbers.
-    #[error("there is no grid of single numbers called {wanted} in it, but {found}; name one of these in the scene")]
+    #[error(
+        "there is no grid of single numbers called {wanted} in it, but {found}; name one of these in the scene"
+    )]
     NoGrid {
         /// The name that is looked for, quoted.
         wanted: String,

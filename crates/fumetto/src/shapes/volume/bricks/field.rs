@@ -69,7 +69,8 @@ impl BrickField {
         };
         let table: &[u32] = if map.table.is_empty() { &[0] } else { &map.table };
         let written = wgpu::TextureUsages::STORAGE_BINDING | wgpu::TextureUsages::TEXTURE_BINDING;
-        let halves = if map.has_heat { wgpu::TextureFormat::Rg16Float } else { wgpu::TextureFormat::R16Float };
+        let halves =
+            if map.has_heat { wgpu::TextureFormat::Rg16Float } else { wgpu::TextureFormat::R16Float };
         let read = wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST;
         let sides = slots.map(|side| side * SIDE as u32);
         let field = Self {
@@ -147,11 +148,7 @@ fn upload(gpu: &Gpu, map: &BrickMap, atlas: &wgpu::Texture, [across, down, _]: [
                 bytes_per_row: Some((width * map.channels() * size_of::<u16>()) as u32),
                 rows_per_image: Some(height as u32),
             },
-            wgpu::Extent3d {
-                width: width as u32,
-                height: height as u32,
-                depth_or_array_layers: SIDE as u32,
-            },
+            wgpu::Extent3d { width: width as u32, height: height as u32, depth_or_array_layers: SIDE as u32 },
         );
     }
 }

@@ -56,7 +56,8 @@ impl BrickMap {
             return Ok(map);
         }
         let ends = [0, 1].map(|end| {
-            let of = |origin: &[i32; 3]| DVec3::from(origin.map(|i| f64::from(i) + f64::from(end * BRICK_SIDE)));
+            let of =
+                |origin: &[i32; 3]| DVec3::from(origin.map(|i| f64::from(i) + f64::from(end * BRICK_SIDE)));
             let all = origins.iter().map(of);
             if end == 0 { all.reduce(DVec3::min) } else { all.reduce(DVec3::max) }.unwrap_or(corner)
         });
@@ -81,7 +82,8 @@ impl BrickMap {
     fn around(samples: &Samples<'_>, origins: &[[i32; 3]]) -> Result<(Self, DVec3), ImportError> {
         let node = |index: i32| i64::from(index.div_euclid(NODE_VOXELS));
         let low = [0, 1, 2].map(|axis| origins.iter().map(|origin| node(origin[axis])).min().unwrap_or(0));
-        let high = [0, 1, 2].map(|axis| origins.iter().map(|origin| node(origin[axis]) + 1).max().unwrap_or(0));
+        let high =
+            [0, 1, 2].map(|axis| origins.iter().map(|origin| node(origin[axis]) + 1).max().unwrap_or(0));
         let nodes = [0, 1, 2].map(|axis| (high[axis] - low[axis]) as u64);
         let bytes = nodes.iter().fold(4, |bytes: u64, &side| bytes.saturating_mul(side));
         if bytes > MAX_VOLUME_BYTES / 4 {
