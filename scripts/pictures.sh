@@ -88,6 +88,9 @@ for cloud in cloud-detailed cloud-simple cloud-layers; do
 done
 draw cloud-layers layers-none.png --set 'object.cloud.shape.surface.detail=[]' "${small[@]}"
 
+# A volume that another program made.
+draw imported imported.png --frame 36 --size 480x540
+
 # Volumes, one setting at a time.
 puff=object.puff.shape.volume
 for percent in 20 80; do

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use anyhow::Context as _;
 use fumetto::{Engine, Export, Layer, Player, Print, Shot, Tiling};
-use fumetto_formats::{Image, is_sequence};
+use fumetto_formats::{Grid, Image, is_sequence};
 use fumetto_scene::{Matter, Particle, Scene};
 
 use crate::console;
@@ -34,10 +34,11 @@ impl Stage {
         let name = path.display().to_string();
         let (gpu, trouble) = gpu::open()?;
         let engine = Engine::new(gpu);
-        let reads_sequences = scene
-            .objects
-            .iter()
-            .any(|object| matches!(&object.matter, Matter::File(path) if is_sequence(path)));
+        let reads_sequences = scene.objects.iter().any(|object| match &object.matter {
+            Matter::File(path) => is_sequence(path),
+            Matter::Imported(imported) => is_sequence(&imported.file),
+            _ => false,
+        });
         let player = engine.play(scene, Box::new(folder)).with_context(|| name.clone())?;
         trouble.check()?;
         for note in player.notes() {
@@ -53,7 +54,7 @@ impl Stage {
 
     /// Takes the scene to `frame`.
     pub(crate) fn seek(&mut self, frame: u32, interrupt: &Interrupt) -> anyhow::Result<()> {
-        // Sequences of particle files need not have the frames before the first that is drawn.
+        // Sequences of files need not have the frames before the first that is drawn.
         if !self.reads_sequences {
             for stop in (self.frame..frame).step_by(FRAMES_AT_A_TIME) {
                 self.engine.seek(&mut self.player, stop)?;
@@ -110,6 +111,18 @@ impl Stage {
         let export = self.engine.solid(&self.player, object);
         self.trouble.check()?;
         Ok(export?)
+    }
+
+    /// The volume of an object at this moment, if it is one.
+    pub(crate) fn volume(&self, object: usize) -> anyhow::Result<Vec<Grid>> {
+        let grids = self.engine.volume(&self.player, object);
+        self.trouble.check()?;
+        Ok(grids?)
+    }
+
+    /// What an object is called.
+    pub(crate) fn name_of(&self, object: usize) -> &str {
+        &self.player.scene().objects[object].name
     }
 
     /// The particles of an object at this moment.

@@ -8,7 +8,7 @@
 //! |---|---|
 //! | particles: [`read_particles`] (PLY, CSV) | particles: [`write_particles_ply`], [`write_particles_csv`] |
 //! | models: [`read_model`] (glTF, OBJ) | triangles: [`write_glb`], [`write_obj`], [`write_solids_ply`] |
-//! | volumes: [`read_volume`] (OpenVDB, NRRD, npy) | volumes: [`write_vdb`] |
+//! | volumes: [`read_volume`] (OpenVDB, NRRD, npy), [`read_raw_volume`] | volumes: [`write_vdb`] |
 //! | pictures: [`read_png`] | pictures: [`write_png`], [`write_png_bands`] |
 //! | | animations: [`GifWriter`] |
 //!
@@ -44,5 +44,5 @@ pub use sequence::{is_sequence, sequence_path};
 pub use solid::{Group, Solid, write_glb, write_mtl, write_obj, write_solids_ply};
 pub use volume::{
     BRICK_SIDE, BRICK_VOXELS, Brick, Grid, GridClass, MAX_VOLUME_NUMBERS, Tile, VdbOptions, Volume, Voxels,
-    read_volume, write_vdb,
+    read_raw_volume, read_volume, write_vdb,
 };

@@ -133,6 +133,8 @@ pub const INSIDE: Limit = Limit::open(0.0, 1.0);
 pub const VOLUME_CELLS: Limit = Limit::closed(8.0, 512.0);
 /// Cells of the light in it.
 pub const LIGHT_CELLS: Limit = Limit::closed(4.0, 256.0);
+/// Voxels along a side of a file without a header.
+pub const RAW_SIDE: Limit = Limit::closed(1.0, 65_536.0);
 /// What multiplies these.
 pub const QUALITY: Limit = Limit::above(0.0, 4.0);
 /// How far noise displaces a puff's surface, in its radii.

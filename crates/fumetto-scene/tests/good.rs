@@ -6,9 +6,10 @@ mod common;
 use common::{load, load_with};
 use fumetto_scene::{
     Along, Background, Burst, Colour, Curve, Detail, Ease, EmitterShape, Exaggerate, Follow, Force, Given,
-    Gooch, Hatching, Highlight, Ink, InkMethod, Light, LightKind, Matter, Mesh, Metamorphosis, Morph, Noise,
-    Particle, Profile, Puffs, Ramp, RampImage, RampRows, Resolution, Rim, Rings, Scene, SceneText, Shading,
-    Shape, Smoke, Spacing, Style, StyleChoice, Surface, Tone, Transform, Volume, VolumeNoise, Width,
+    Gooch, Hatching, Highlight, Imported, Ink, InkMethod, Light, LightKind, Matter, Mesh, Metamorphosis,
+    Morph, Noise, Particle, Profile, Puffs, Ramp, RampImage, RampRows, Raw, RawNumber, Resolution, Rim,
+    Rings, Scene, SceneText, Shading, Shape, Smoke, Spacing, Style, StyleChoice, Surface, Tone, Transform,
+    Volume, VolumeNoise, Width,
 };
 
 fn srgb(hex: u32) -> Colour {
@@ -573,6 +574,8 @@ fn every_key_of_a_volume_reaches_it() {
         cells: 128,
         light_cells: 64,
         step_m: None,
+        step_cells: 0.5,
+        lobe_m: None,
     };
     assert_eq!(two_puffs("").0, plain);
     let noise = VolumeNoise {
@@ -599,6 +602,8 @@ fn every_key_of_a_volume_reaches_it() {
         cells: 50,
         light_cells: 20,
         step_m: Some(0.125),
+        step_cells: 0.5,
+        lobe_m: None,
     };
     let keys = "extinction = 9, profile = \"linear\", edge = 0.25, size = 2, glow = 0.75, soft = 0.5, \
                 surface = 0.25, relief = 1, cells = 100, light_cells = 40, step = 0.125, quality = 0.5, \
@@ -606,6 +611,89 @@ fn every_key_of_a_volume_reaches_it() {
                 persistence = 0.6, lacunarity = 2.5, seed = 8, drift = [0, 0.25, 0], billow = false }";
     assert_eq!(two_puffs(keys).0, other);
     assert!(other.drifts() && !plain.drifts());
+}
+
+#[test]
+fn every_key_of_a_volume_out_of_a_file_reaches_it() {
+    let scene = good(
+        r#"
+        format = 1
+        camera = { eye = [0, 1, 5], target = [0, 0, 0] }
+        light = [{ kind = "sun", direction = [0, -1, 0] }]
+        [[object]]
+        name = "plain"
+        kind = "volume"
+        volume = "smoke.VDB"
+        [[object]]
+        name = "smoke"
+        kind = "volume"
+        up = "z"
+        transform = { position = [1, 2, 3], rotation = [0, 90, 0], scale = 2 }
+        shape = { volume = { lobe = 0.5, quality = 0.5, light_cells = 40 } }
+        [object.volume]
+        file = "smoke.####.vdb"
+        density = "smoke"
+        heat = "flame"
+        range = [9, 1]
+        heat_range = [300, 2000]
+        frames = [2, 9]
+        loop = true
+        [[object]]
+        name = "head"
+        kind = "volume"
+        [object.volume]
+        file = "head.img"
+        [object.volume.raw]
+        size = [3, 4, 5]
+        type = "i16"
+        order = "big"
+        voxel = [1, 2, 3]
+        origin = [4, 5, 6]
+        skip = 352
+        "#,
+    );
+    let imported = |index: usize| match &scene.objects[index].matter {
+        Matter::Imported(imported) => (**imported).clone(),
+        other => panic!("{other:?} is not out of a file"),
+    };
+    let plain = Imported {
+        file: "smoke.VDB".into(),
+        density: None,
+        heat: None,
+        range: None,
+        heat_range: [0.0, 1.0],
+        frames: None,
+        repeats: false,
+        raw: None,
+        z_up: false,
+        place: Transform::default(),
+    };
+    assert_eq!(imported(0), plain);
+    let smoke = Imported {
+        file: "smoke.####.vdb".into(),
+        density: Some("smoke".into()),
+        heat: Some("flame".into()),
+        range: Some([9.0, 1.0]),
+        heat_range: [300.0, 2000.0],
+        frames: Some([2, 9]),
+        repeats: true,
+        raw: None,
+        z_up: true,
+        place: Transform { position: [1.0, 2.0, 3.0], rotation_deg: [0.0, 90.0, 0.0], scale: [2.0; 3] },
+    };
+    assert_eq!(imported(1), smoke);
+    let raw = Raw {
+        size: [3, 4, 5],
+        number: RawNumber::I16,
+        big_endian: true,
+        voxel_m: [1.0, 2.0, 3.0],
+        origin_m: [4.0, 5.0, 6.0],
+        skip: 352,
+    };
+    assert_eq!(imported(2), Imported { file: "head.img".into(), raw: Some(raw), ..plain });
+    let volume = |index: usize| scene.objects[index].shape.volume().unwrap();
+    assert_eq!((volume(0).light_cells, volume(0).step_cells, volume(0).lobe_m), (64, 0.5, None));
+    assert_eq!((volume(1).light_cells, volume(1).step_cells, volume(1).lobe_m), (20, 1.0, Some(0.5)));
 }
 
 #[test]

@@ -25,6 +25,6 @@ pub(crate) fn load_model(assets: &dyn Assets, path: &str, options: ModelOptions)
     Ok(read_model(path, &read(assets, path)?, options, &mut |beside| assets.read(beside))?)
 }
 
-fn read(assets: &dyn Assets, path: &str) -> Result<Vec<u8>, Error> {
+pub(crate) fn read(assets: &dyn Assets, path: &str) -> Result<Vec<u8>, Error> {
     assets.read(path).map_err(|source| Error::Asset { path: path.to_owned(), source })
 }

@@ -57,7 +57,9 @@ fn is_opaque(object: &Object) -> bool {
             .emitters
             .iter()
             .any(|emitter| emitter.opacity_over_life.points.iter().any(|&[_, opacity]| opacity < 1.0)),
-        Matter::Still(_) | Matter::File(_) | Matter::Morph(_) | Matter::Mesh(_) => false,
+        Matter::Still(_) | Matter::File(_) | Matter::Morph(_) | Matter::Mesh(_) | Matter::Imported(_) => {
+            false
+        }
     };
     let is_soft = object.shape.volume().is_some_and(|volume| volume.soft > 0.0);
     object.opacity >= 1.0 && !fades && !is_soft
@@ -77,6 +79,7 @@ fn anchor(object: &Object) -> Vec3 {
             mean(&mut listed.iter().map(|particle| particle.center.into()))
         }
         Matter::File(_) => Vec3::ZERO,
+        Matter::Imported(imported) => imported.place.position.into(),
         Matter::Mesh(mesh) => mean(&mut mesh.copies.iter().map(|copy| copy.position.into())),
         Matter::Smoke(smoke) => mean(&mut smoke.emitters.iter().map(|emitter| match emitter.shape {
             Shape::Point { center }

@@ -5,7 +5,12 @@ use thiserror::Error;
 
 use crate::{
     gpu::GpuError,
-    shapes::{mesh::MeshError, puffs::AtlasError, surface::SurfaceTooLarge, volume::VolumeTooLarge},
+    shapes::{
+        mesh::MeshError,
+        puffs::AtlasError,
+        surface::SurfaceTooLarge,
+        volume::{ImportError, VolumeTooLarge},
+    },
 };
 
 /// Why a scene cannot be played or drawn.
@@ -35,6 +40,14 @@ pub enum Error {
         object: String,
         /// Which of its lists is too long.
         source: SurfaceTooLarge,
+    },
+    /// A volume that was read cannot be drawn.
+    #[error("{path}: {source}")]
+    Imported {
+        /// As the scene names it.
+        path: String,
+        /// Why.
+        source: ImportError,
     },
     /// A volume is larger than is allowed.
     #[error("the object `{object}`: {source}")]

@@ -68,7 +68,7 @@ impl Engine {
     }
 
     /// The particles of the scene's `object`-th object at the moment that `player` is at, as they are at their
-    /// age; none of a model. Waits for the device.
+    /// age; none of a model or a volume out of a file. Waits for the device.
     ///
     /// # Errors
     /// When the device is lost.
@@ -81,7 +81,7 @@ impl Engine {
                 particles.retain(|particle| particle.radius > 0.0);
                 Ok(particles)
             }
-            PlayedMatter::Model(_) => Ok(Vec::new()),
+            PlayedMatter::Model(_) | PlayedMatter::Imported(_) => Ok(Vec::new()),
             PlayedMatter::Smoke(_) => {
                 let range = player.puffs.objects[object].range.clone();
                 let puffs: Vec<Puff> = read_items(self.gpu(), &player.puffs.puffs, range)?;

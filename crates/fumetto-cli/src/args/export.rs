@@ -20,6 +20,7 @@ pub(crate) enum Format {
     Obj,
     Ply,
     Csv,
+    Vdb,
 }
 
 /// What is exported.
@@ -31,6 +32,8 @@ pub(crate) enum What {
     Particles,
     /// The pictures of all puffs.
     Sprites,
+    /// Volumes, as grids of density and temperature.
+    Volumes,
 }
 
 impl Format {
@@ -41,6 +44,7 @@ impl Format {
             Self::Glb | Self::Obj => &[What::Meshes],
             Self::Ply => &[What::Meshes, What::Particles],
             Self::Csv => &[What::Particles],
+            Self::Vdb => &[What::Volumes],
         }
     }
 }
@@ -55,9 +59,10 @@ impl FromStr for ExportTarget {
             Some("obj") => Format::Obj,
             Some("ply") => Format::Ply,
             Some("csv") => Format::Csv,
+            Some("vdb") => Format::Vdb,
             _ => {
-                let known = "end its name in .glb, .obj or .ply (triangles), .csv (particles) or .png (the \
-                             pictures of all puffs)";
+                let known = "end its name in .glb, .obj or .ply (triangles), .csv (particles), .vdb \
+                             (volumes) or .png (the pictures of all puffs)";
                 return Err(format!("its extension does not say what to export; {known}"));
             }
         };
@@ -75,6 +80,7 @@ mod tests {
         assert_eq!(format("out/a.####.GLB"), Some(Format::Glb));
         assert_eq!(format("a.ply"), Some(Format::Ply));
         assert_eq!(format("a.csv"), Some(Format::Csv));
+        assert_eq!(format("a.####.vdb"), Some(Format::Vdb));
         for name in ["", "glb", "a", "a.gltf", "a.glb/b", "a.svg"] {
             assert_eq!(format(name), None, "{name}");
         }

@@ -101,7 +101,8 @@ pub(crate) struct ExportArgs {
     #[command(flatten)]
     pub(crate) scene: SceneArgs,
     /// Where to write; the extension says what. `.glb`, `.obj` and `.ply` are triangles: surfaces and
-    /// models. `.csv`, and `.ply` with `--what particles`, are particles. `puffs.png` are the pictures of
+    /// models. `.csv`, and `.ply` with `--what particles`, are particles. `.vdb` are volumes, for OpenVDB.
+    /// `puffs.png` are the pictures of
     /// all puffs side by side, for engines that draw them as billboards: puffs.normal.png,
     /// puffs.depth.png and puffs.coverage.png. `smoke.####.glb` is a file for each frame.
     #[arg(short, long = "output", value_name = "OUT")]

@@ -1,14 +1,15 @@
 //! `fumetto check`
 
+use std::collections::BTreeSet;
 use std::io;
 use std::process::ExitCode;
 
 use anyhow::Context as _;
-use fumetto::Assets as _;
+use fumetto::{Assets as _, imported_size};
 use fumetto_formats::{
     FormatError, ModelOptions, is_sequence, read_model, read_particles, read_png, sequence_path,
 };
-use fumetto_scene::{Background, Matter, Mesh, Ramp, RampImage, Report, Scene, Time};
+use fumetto_scene::{Background, Imported, Matter, Mesh, Ramp, RampImage, Report, Scene, Time};
 
 use crate::args::CheckArgs;
 use crate::console;
@@ -67,6 +68,11 @@ fn check_files(opened: &Opened) -> Vec<String> {
             Matter::Mesh(mesh) => {
                 note(format!("the model of `{}`", object.name), check_model(folder, mesh));
             }
+            Matter::Imported(imported) => {
+                for result in check_volume(folder, imported, &scene.time) {
+                    note(format!("the volume of `{}`", object.name), result);
+                }
+            }
             Matter::Still(_) | Matter::Smoke(_) => {}
         }
     }
@@ -93,6 +99,19 @@ fn check_particles(folder: &SceneFolder, path: &str, time: &Time) -> Vec<anyhow:
 
 fn check_one(folder: &SceneFolder, path: &str) -> anyhow::Result<()> {
     check(folder, path, |bytes| read_particles(path, bytes).map(drop))
+}
+
+/// Reads a volume's file, or as many of its sequence as the scene's frames show.
+fn check_volume(folder: &SceneFolder, imported: &Imported, time: &Time) -> Vec<anyhow::Result<()>> {
+    let one = |frame: u32| imported_size(folder, imported, frame).map(drop).map_err(anyhow::Error::from);
+    let [first, last] = time.frames;
+    if !is_sequence(&imported.file) {
+        return vec![one(first)];
+    }
+    let drawings = (first - first % time.hold..=last).step_by(time.hold as usize);
+    let mut numbers = BTreeSet::new();
+    let others = drawings.filter(|&frame| numbers.insert(imported.number_at(frame)));
+    others.map(one).filter(Result::is_err).take(PROBLEMS_A_SEQUENCE).collect()
 }
 
 fn check_model(folder: &SceneFolder, mesh: &Mesh) -> anyhow::Result<()> {

@@ -1,6 +1,6 @@
 //! What `fumetto export` writes.
 
-use fumetto_formats::{Model, ModelOptions, read_model, read_particles};
+use fumetto_formats::{Model, ModelOptions, read_model, read_particles, read_volume};
 use serde_json::Value;
 
 use crate::run::{Folder, SMOKE};
@@ -82,4 +82,45 @@ fn objects_without_what_is_asked_for() {
     let hidden = folder.run(&["export", "skin.toml", "-o", "a.glb", "--set", "object.smoke.visible=false"]);
     hidden.ends(1).says(&["no object"]);
     assert_eq!(folder.files(), ["skin.toml"]);
+}
+
+#[test]
+fn volumes_go_through_openvdb_and_back() {
+    let folder = Folder::with_smoke();
+    let head = "format = 1\ncamera = { eye = [0, 0, 9], target = [0, 0, 0] }\n\
+                light = [{ kind = \"sun\", direction = [0, -1, 0] }]\n[[object]]\nname = \"puff\"\n";
+    let puff = "kind = \"cloud\"\nparticles = [{ center = [1, 2, 3], radius = 1, mass = 2 }]\n\
+                shape = { volume = { cells = 24 } }\n";
+    folder.put("puff.toml", format!("{head}{puff}"));
+    folder.run(&["export", "puff.toml", "-o", "puff.vdb"]).ends(0).says(&["wrote puff.vdb:", "density"]);
+    let written = read_volume("puff.vdb", &folder.bytes("puff.vdb"), &["density"]).unwrap();
+    let grid = &written.grids[0];
+    let [low, high] = grid.voxels.active_bounds().unwrap();
+    let place = |index: [i32; 3]| {
+        let matrix = grid.world_from_index;
+        [0, 1, 2].map(|axis| matrix[axis][axis] * f64::from(index[axis]) + matrix[3][axis])
+    };
+    // Around the ball, to within a cell.
+    let cell = grid.world_from_index[0][0];
+    for (axis, middle) in [1.0, 2.0, 3.0].into_iter().enumerate() {
+        assert!((place(low)[axis] - (middle - 1.0)).abs() < 1.01 * cell, "{:?}", place(low));
+        assert!((place(high)[axis] - (middle + 1.0)).abs() < 1.01 * cell, "{:?}", place(high));
+    }
+    assert_eq!(grid.voxels.at([0, 1, 2].map(|axis| (low[axis] + high[axis]) / 2)).0[0], 2.0);
+
+    folder.put("again.toml", format!("{head}kind = \"volume\"\nvolume = \"puff.vdb\""));
+    folder.run(&["check", "again.toml"]).ends(0);
+    let info = folder.run(&["info", "again.toml"]).ends(0).out;
+    assert!(info.contains("the volume puff.vdb") && info.contains("bricks"), "{info}");
+    folder.run(&["export", "again.toml", "-o", "again.vdb"]).ends(0);
+    let again = read_volume("again.vdb", &folder.bytes("again.vdb"), &["density"]).unwrap();
+    assert_eq!(again.grids[0].world_from_index, grid.world_from_index);
+    assert_eq!(again.grids[0].voxels.active_count(), grid.voxels.active_count());
+
+    let refused = folder.run(&["export", "smoke.toml", "-o", "smoke.vdb"]);
+    refused.ends(1).says(&["no object that is to be written is a volume"]);
+    folder.put("broken.toml", format!("{head}kind = \"volume\"\nvolume = \"puff.toml.vdb\""));
+    folder.put("puff.toml.vdb", "not OpenVDB");
+    let problems = folder.run(&["check", "broken.toml"]).ends(1).out;
+    assert!(problems.contains("the volume of `puff`: puff.toml.vdb"), "{problems}");
 }

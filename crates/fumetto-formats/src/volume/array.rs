@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use fumetto_scene::RawNumber;
 use glam::DMat4;
 use half::f16;
 
@@ -24,6 +25,22 @@ pub(super) enum Number {
     F16,
     F32,
     F64,
+}
+
+impl From<RawNumber> for Number {
+    fn from(number: RawNumber) -> Self {
+        match number {
+            RawNumber::U8 => Self::U8,
+            RawNumber::I8 => Self::I8,
+            RawNumber::U16 => Self::U16,
+            RawNumber::I16 => Self::I16,
+            RawNumber::U32 => Self::U32,
+            RawNumber::I32 => Self::I32,
+            RawNumber::F16 => Self::F16,
+            RawNumber::F32 => Self::F32,
+            RawNumber::F64 => Self::F64,
+        }
+    }
 }
 
 impl Number {

@@ -5,9 +5,11 @@ mod dense;
 mod grid;
 mod npy;
 mod nrrd;
+mod raw;
 mod vdb;
 
 pub use self::grid::{BRICK_SIDE, BRICK_VOXELS, Brick, Grid, GridClass, Tile, Volume, Voxels};
+pub use self::raw::read_raw_volume;
 pub use self::vdb::{VdbOptions, write_vdb};
 use crate::FormatError;
 

@@ -38,13 +38,13 @@ fn model(at: &At<'_>, file: &ObjectFile) -> String {
     path.clone()
 }
 
-fn transform(at: &At<'_>, file: &TransformFile) -> Transform {
+pub(super) fn transform(at: &At<'_>, file: &TransformFile) -> Transform {
     let scale = match file.scale {
         ScaleFile::One(one) => [one; 3],
         ScaleFile::Axes(axes) => axes,
     };
     if scale.contains(&0.0) {
-        let message = "`scale` is 0, which leaves nothing of the model".to_owned();
+        let message = "`scale` is 0, which leaves nothing of it".to_owned();
         at.key("scale").error("zero-scale", message, "to hide the object write visible = false");
     }
     Transform { position: file.position, rotation_deg: file.rotation, scale }

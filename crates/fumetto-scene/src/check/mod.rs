@@ -6,6 +6,7 @@
 
 mod at;
 mod hatching;
+mod imported;
 mod ink;
 mod mesh;
 mod morph;

@@ -39,9 +39,13 @@ pub(super) fn metamorphosis(at: &At<'_>, start: Given, files: &[MorphFile]) -> M
 }
 
 /// `####` and `{}` number the files of a sequence, as in `fumetto-formats`.
-fn refuse_sequence(at: &At<'_>, path: &str) {
+pub(super) fn is_sequence(path: &str) -> bool {
     let name = path.rsplit(['/', '\\']).next().unwrap_or(path);
-    if name.contains('#') || name.contains("{}") {
+    name.contains('#') || name.contains("{}")
+}
+
+fn refuse_sequence(at: &At<'_>, path: &str) {
+    if is_sequence(path) {
         let message =
             format!("{path:?} is a sequence, and a cloud that changes has one file for each of its shapes");
         at.error("morph-of-sequence", message, "name one file, or leave `morph` out");

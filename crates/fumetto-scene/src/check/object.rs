@@ -1,5 +1,6 @@
 use super::{
     At, Styles,
+    imported::{check_shape, imported},
     mesh::mesh,
     morph::{given, metamorphosis},
     shape::{details, shape},
@@ -24,7 +25,11 @@ pub(super) fn object(
         None => scene_style.clone(),
     };
     let (at_shape, shape_file) = (at.key("shape"), file.shape.as_ref());
-    let shape = shape(&at_shape, shape_file, style.height_px);
+    let is_imported = file.kind == ObjectKind::Volume;
+    if is_imported {
+        check_shape(&at_shape, shape_file);
+    }
+    let shape = shape(&at_shape, shape_file, is_imported, style.height_px);
     let object = Object {
         name: file.name.clone(),
         visible: file.visible,
@@ -56,18 +61,19 @@ pub(super) fn object(
 }
 
 /// Keys that only some kinds have, with those kinds.
-const KEYS: [(&str, &[ObjectKind]); 11] = [
+const KEYS: [(&str, &[ObjectKind]); 12] = [
     ("particles", &[ObjectKind::Cloud]),
     ("morph", &[ObjectKind::Cloud]),
     ("emitter", &[ObjectKind::Smoke]),
     ("force", &[ObjectKind::Smoke]),
     ("solver", &[ObjectKind::Smoke]),
     ("vortex", &[ObjectKind::Smoke]),
-    ("shape", &[ObjectKind::Cloud, ObjectKind::Smoke]),
+    ("shape", &[ObjectKind::Cloud, ObjectKind::Smoke, ObjectKind::Volume]),
     ("model", &[ObjectKind::Mesh]),
-    ("up", &[ObjectKind::Mesh]),
+    ("volume", &[ObjectKind::Volume]),
+    ("up", &[ObjectKind::Mesh, ObjectKind::Volume]),
     ("smooth", &[ObjectKind::Mesh]),
-    ("transform", &[ObjectKind::Mesh]),
+    ("transform", &[ObjectKind::Mesh, ObjectKind::Volume]),
 ];
 
 fn matter(at: &At<'_>, file: &ObjectFile) -> Matter {
@@ -83,6 +89,7 @@ fn matter(at: &At<'_>, file: &ObjectFile) -> Matter {
         ObjectKind::Cloud => cloud(at, file),
         ObjectKind::Smoke => Matter::Smoke(smoke(at, file)),
         ObjectKind::Mesh => Matter::Mesh(mesh(at, file)),
+        ObjectKind::Volume => Matter::Imported(Box::new(imported(at, file))),
     }
 }
 
@@ -91,6 +98,7 @@ fn kind_name(kind: ObjectKind) -> &'static str {
         ObjectKind::Smoke => "smoke",
         ObjectKind::Cloud => "cloud",
         ObjectKind::Mesh => "mesh",
+        ObjectKind::Volume => "volume",
     }
 }
 

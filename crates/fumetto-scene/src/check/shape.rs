@@ -1,16 +1,18 @@
 use super::{At, ink::ink, volume::volume};
-use crate::file::{DetailFile, NoiseFile, PuffsFile, ShapeFile, SurfaceFile};
+use crate::file::{DetailFile, NoiseFile, PuffsFile, ShapeFile, SurfaceFile, VolumeFile};
 use crate::{Detail, Noise, Puffs, Resolution, Shape, Style, Surface};
 
 /// Cells along the longest side, unless the file says how fine.
 const SUBDIVISIONS: u32 = 48;
 
-/// Lengths in pixels are meant for a picture `height_px` high.
-pub(super) fn shape(at: &At<'_>, file: Option<&ShapeFile>, height_px: f32) -> Shape {
+/// Lengths in pixels are meant for a picture `height_px` high. What is imported is a volume unless it says
+/// otherwise.
+pub(super) fn shape(at: &At<'_>, file: Option<&ShapeFile>, is_imported: bool, height_px: f32) -> Shape {
     match file {
-        Some(ShapeFile::Volume(file)) => Shape::Volume(volume(&at.key("volume"), file)),
+        Some(ShapeFile::Volume(file)) => Shape::Volume(volume(&at.key("volume"), file, is_imported)),
         Some(ShapeFile::Puffs(file)) => Shape::Puffs(puffs(&at.key("puffs"), *file)),
         Some(ShapeFile::Surface(file)) => Shape::Surface(surface(&at.key("surface"), file, height_px)),
+        None if is_imported => Shape::Volume(volume(&at.key("volume"), &VolumeFile::default(), is_imported)),
         None => Shape::Puffs(puffs(&at.key("puffs"), PuffsFile::default())),
     }
 }

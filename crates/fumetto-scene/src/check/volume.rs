@@ -4,7 +4,18 @@ use crate::file::{ProfileFile, VolumeFile, VolumeNoiseFile};
 use crate::limits::{LIGHT_CELLS, MAX_COLOURS, MAX_VOLUME_BYTES, VOLUME_CELLS};
 use crate::{Colour, Matter, Profile, Volume, VolumeNoise};
 
-pub(super) fn volume(at: &At<'_>, file: &VolumeFile) -> Volume {
+/// Cells in a step along the line of sight.
+const STEP_CELLS: f32 = 0.5;
+
+/// Coarser steps find nothing.
+const LONGEST_STEP_CELLS: f32 = 1e3;
+
+/// The shape of puffs, or of what is imported.
+pub(super) fn volume(at: &At<'_>, file: &VolumeFile, is_imported: bool) -> Volume {
+    if !is_imported && at.key("lobe").exists() {
+        let message = "`lobe` is for volumes out of files, and puffs have their own radii".to_owned();
+        at.key("lobe").error("wrong-kind", message, "leave it out");
+    }
     let scaled = |cells: u32, limit: &crate::limits::Limit| {
         let cells = (f64::from(cells) * f64::from(file.quality)).round();
         limit.clamped(cells) as u32
@@ -26,6 +37,13 @@ pub(super) fn volume(at: &At<'_>, file: &VolumeFile) -> Volume {
         cells: scaled(file.cells, &VOLUME_CELLS),
         light_cells: scaled(file.light_cells, &LIGHT_CELLS),
         step_m: file.step,
+        // The voxels of a file are as many as they are.
+        step_cells: if is_imported {
+            (STEP_CELLS / file.quality).min(LONGEST_STEP_CELLS)
+        } else {
+            STEP_CELLS
+        },
+        lobe_m: file.lobe,
     }
 }
 
@@ -56,7 +74,7 @@ pub(super) fn room(at: &At<'_>, volume: &Volume, matter: &Matter) {
     let room = match matter {
         Matter::Still(particles) => volume.room(particles),
         Matter::Smoke(_) | Matter::Morph(_) => volume.moving_room(),
-        Matter::File(_) | Matter::Mesh(_) => return,
+        Matter::File(_) | Matter::Mesh(_) | Matter::Imported(_) => return,
     };
     if !room.fits() {
         let [x, y, z] = room.cells;

@@ -13,7 +13,7 @@ pub enum UpFile {
     Z,
 }
 
-/// Where a copy of a model stands: scaled first, then turned, then moved.
+/// Where a volume or a copy of a model stands: scaled first, then turned, then moved.
 #[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema, PartialEq, Serialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct TransformFile {

@@ -4,6 +4,7 @@
 //! scenes: units, ranges and defaults.
 
 mod hatching;
+mod imported;
 mod ink;
 mod mesh;
 mod morph;
@@ -18,6 +19,7 @@ mod volume;
 mod vortex;
 
 pub use hatching::{AlongFile, FollowFile, HatchingFile};
+pub use imported::{ByteOrderFile, ImportedFile, RawFile, RawNumberFile, ReadFile};
 pub use ink::{CreaseFile, HiddenLinesFile, InkFile, InkMethodFile, PenFile, WidthFile};
 pub use mesh::{ScaleFile, TransformFile, UpFile};
 pub use morph::{EaseFile, MorphFile};

@@ -2,8 +2,8 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{
-    EmitterFile, ForceFile, MorphFile, OneOrMany, SolverFile, StyleFile, SurfaceFile, TransformFile, UpFile,
-    VolumeFile, VortexFile,
+    EmitterFile, ForceFile, ImportedFile, MorphFile, OneOrMany, SolverFile, StyleFile, SurfaceFile,
+    TransformFile, UpFile, VolumeFile, VortexFile,
 };
 use crate::limits;
 
@@ -38,16 +38,19 @@ pub struct ObjectFile {
     pub vortex: Option<VortexFile>,
     /// The model of a `kind = "mesh"`: a .glb, .gltf or .obj file relative to the scene file.
     pub model: Option<String>,
-    /// Which way is up in the model's file: "y" (the default, as in glTF) or "z".
+    /// The volume of a `kind = "volume"`: a .vdb, .nrrd or .npy file relative to the scene file, or a table that
+    /// also says how it is read; `####` or `{}` in its name numbers a sequence by frame.
+    pub volume: Option<ImportedFile>,
+    /// Which way is up in the file of the model or volume: "y" (the default, as in glTF) or "z".
     pub up: Option<UpFile>,
     /// Works the model's normals out anew: faces that meet at a smaller angle than this, in degrees, blend.
     /// Without it the file's own are kept.
     #[schemars(transform = &limits::ANGLE_DEG)]
     pub smooth: Option<f32>,
     /// Where the model of a `kind = "mesh"` stands: one table, or several `[[object.transform]]` for
-    /// several copies.
+    /// several copies. The volume of a `kind = "volume"` has one.
     pub transform: Option<OneOrMany<TransformFile>>,
-    /// How particles get a shape. Default: puffs.
+    /// How matter gets a shape. Default: puffs, and for a `kind = "volume"` a volume.
     pub shape: Option<ShapeFile>,
     /// How it is drawn: the scene's style with these changes.
     pub style: Option<StyleFile>,
@@ -71,6 +74,8 @@ pub enum ObjectKind {
     Cloud,
     /// A model: a house, a train, a lamp.
     Mesh,
+    /// A volume that another program made.
+    Volume,
 }
 
 /// Particles that are given.
@@ -110,7 +115,7 @@ pub enum ShapeFile {
     Puffs(PuffsFile),
     /// All particles together become one closed skin.
     Surface(SurfaceFile),
-    /// Every particle is a puff of matter that light goes through; all together are one field.
+    /// Matter that light goes through: every particle is a puff of it, and all together are one field.
     Volume(VolumeFile),
 }
 

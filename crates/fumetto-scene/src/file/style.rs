@@ -41,11 +41,11 @@ pub struct StyleFile {
     pub wrap: Option<f32>,
     /// Flat tones smaller than this join their surroundings; 0 keeps all.
     pub clean: Option<PixelsFile>,
-    /// How much of its own colours a mesh shows: tones are multiplied by them, from not at all (0) to
-    /// fully (1).
+    /// How much of its own colours a mesh or a volume shows: tones are multiplied by them, from not at all
+    /// (0) to fully (1).
     #[schemars(transform = &limits::SHARE)]
     pub material: Option<f32>,
-    /// Colours of a mesh are brought to this many values and strengths of each hue, 1 to 32; 0 keeps them.
+    /// Colours of a mesh or a volume are brought to this many values and strengths of each hue, 1 to 32; 0 keeps them.
     #[schemars(transform = &limits::MATERIAL_STEPS)]
     pub material_steps: Option<u32>,
     /// How tones get onto puffs.

@@ -4,7 +4,8 @@ use serde::{Deserialize, Serialize};
 use super::ColourFile;
 use crate::limits;
 
-/// Every particle is a soft or knobbly puff of matter that light goes through; all together are one field.
+/// Matter that light goes through: every particle is a soft or knobbly puff of it and all together are one field,
+/// or a file tells where it is.
 #[derive(Clone, Debug, Deserialize, JsonSchema, PartialEq, Serialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct VolumeFile {
@@ -24,9 +25,11 @@ pub struct VolumeFile {
     pub size: f32,
     /// Noise that pushes a puff's surface in and out. Default: none, and puffs are balls.
     pub noise: Option<VolumeNoiseFile>,
-    /// Colours of the matter, 1 to 8: each puff takes one and keeps it. Default white.
+    /// Colours of the matter, 1 to 8: each puff takes one and keeps it. Where a file tells how hot matter is, from
+    /// the cold to the hot. Default white.
     pub colours: Option<Vec<ColourFile>>,
-    /// Light that the matter gives off by itself, as if from all sides, 0 to 1e6. Default 0.
+    /// Light that the matter gives off by itself, as if from all sides, 0 to 1e6; where a file tells how hot matter
+    /// is, at heat 1. Default 0.
     #[schemars(transform = &limits::FACTOR)]
     pub glow: f32,
     /// From flat (0) to soft (1): how much of the picture is as a camera would see it, in place of the style's
@@ -47,10 +50,15 @@ pub struct VolumeFile {
     /// How many cells light is sampled with along the longest side, 4 to 256. Default 64.
     #[schemars(transform = &limits::LIGHT_CELLS)]
     pub light_cells: u32,
-    /// Length of a step along the line of sight in metres, above 0. Default: half a cell.
+    /// Only of a volume out of a file: the radius of its lobes in metres, above 0, for `style.form` and for inner
+    /// lines. Default: an eighth of its longest side.
+    #[schemars(transform = &limits::LENGTH)]
+    pub lobe: Option<f32>,
+    /// Length of a step along the line of sight in metres, above 0. Default: half a cell, or half a voxel.
     #[schemars(transform = &limits::LENGTH)]
     pub step: Option<f32>,
-    /// Multiplies `cells` and `light_cells`, above 0, to 4: less for a quick look. Default 1.
+    /// Multiplies `cells` and `light_cells`, and shortens the default step, above 0, to 4: less for a quick look.
+    /// Default 1.
     #[schemars(transform = &limits::QUALITY)]
     pub quality: f32,
 }
@@ -70,6 +78,7 @@ impl Default for VolumeFile {
             relief: 0.5,
             cells: 128,
             light_cells: 64,
+            lobe: None,
             step: None,
             quality: 1.0,
         }

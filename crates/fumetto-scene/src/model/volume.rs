@@ -28,8 +28,13 @@ pub struct Volume {
     pub cells: u32,
     /// Of the light along the longest side, quality included.
     pub light_cells: u32,
-    /// Along the line of sight, in metres; above zero. Half a cell where it is not given.
+    /// Along the line of sight, in metres; above zero.
     pub step_m: Option<f32>,
+    /// Where that is not given: in cells, or in the voxels of a file.
+    pub step_cells: f32,
+    /// Radius of the lobes of a volume out of a file; above zero. An eighth of its longest side where it is not
+    /// given.
+    pub lobe_m: Option<f32>,
 }
 
 /// How dense a puff is inside.

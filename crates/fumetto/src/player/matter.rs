@@ -11,8 +11,10 @@ use crate::{
     gpu::Gpu,
     morph::Tracks,
     particles::Plume,
-    shapes::{mesh::Geometry, puffs::Placement, surface::peak_of_nothing},
+    shapes::{mesh::Geometry, puffs::Placement, surface::peak_of_nothing, volume::MAX_LOBES},
 };
+
+use super::imported::PlayedVolume;
 
 /// One object as it is played.
 pub(crate) struct PlayedObject {
@@ -30,6 +32,8 @@ pub(crate) enum PlayedMatter {
     Morph(Box<Tracks>),
     Smoke(Box<Plume>),
     Model(Box<PlayedModel>),
+    /// A volume out of a file.
+    Imported(Box<PlayedVolume>),
 }
 
 /// A model with its copies, and which parts of the scene's geometry they are.
@@ -46,6 +50,7 @@ impl PlayedMatter {
             Self::Morph(tracks) => tracks.slots() as u64,
             Self::Smoke(plume) => plume.emissions.iter().map(|emission| u64::from(emission.capacity())).sum(),
             Self::Model(_) => 0,
+            Self::Imported(_) => MAX_LOBES.into(),
         }
     }
 
@@ -111,6 +116,12 @@ pub(super) fn play_matter(
         Matter::Smoke(smoke) => {
             let seed = seed_of(scene, index);
             PlayedMatter::Smoke(Box::new(Plume::new(gpu, smoke, seed, scene.time.step_secs())))
+        }
+        Matter::Imported(imported) => {
+            let detail =
+                object.shape.volume().map_or((1, None), |volume| (volume.light_cells, volume.lobe_m));
+            let volume = PlayedVolume::new(gpu, assets, imported, first_frame, detail, notes)?;
+            PlayedMatter::Imported(Box::new(volume))
         }
         Matter::Mesh(_) => unreachable!("models are played with the scene's geometry"),
     })

@@ -1,11 +1,14 @@
 //! Time: one scene, played to one moment.
 
+mod imported;
 mod looks;
 mod matter;
 mod puffs;
 mod surfaces;
 mod volumes;
 
+pub use imported::{ImportedSize, imported_size};
+pub(crate) use imported::{load as load_imported, path as imported_path};
 pub(crate) use matter::{PlayedMatter, PlayedModel, PlayedObject};
 
 use fumetto_formats::sequence_path;
@@ -157,7 +160,8 @@ impl Player {
             PlayedMatter::Still(_)
             | PlayedMatter::Sequence(..)
             | PlayedMatter::Morph(_)
-            | PlayedMatter::Model(_) => None,
+            | PlayedMatter::Model(_)
+            | PlayedMatter::Imported(_) => None,
         })
     }
 
@@ -174,6 +178,7 @@ impl Player {
             PlayedMatter::Still(_) => !drifts(&self.scene.objects[object.placement.object as usize]),
             PlayedMatter::Sequence(..) | PlayedMatter::Morph(_) | PlayedMatter::Smoke(_) => false,
             PlayedMatter::Model(played) => !played.model.is_animated(),
+            PlayedMatter::Imported(volume) => !volume.is_sequence(),
         };
         if self.objects.iter().all(stands) { 0 } else { self.held(frame) }
     }
@@ -183,14 +188,25 @@ impl Player {
         frame - frame % self.scene.time.hold
     }
 
-    /// Reads the files that sequences have for `frame`, and makes room for their particles.
+    /// Reads the files that sequences have for `frame`, and makes room for what is in them.
     pub(crate) fn read_sequences(&mut self, gpu: &Gpu, frame: u32) -> Result<(), Error> {
         let mut grown = false;
-        for object in &mut self.objects {
-            if let PlayedMatter::Sequence(pattern, particles) = &mut object.matter {
-                *particles = load_particles(&*self.assets, &sequence_path(pattern, frame))?.particles;
-                grown |= particles.len() as u32 > object.capacity;
-                object.capacity = object.capacity.max(particles.len() as u32);
+        for (number, object) in self.objects.iter_mut().enumerate() {
+            match &mut object.matter {
+                PlayedMatter::Sequence(pattern, particles) => {
+                    *particles = load_particles(&*self.assets, &sequence_path(pattern, frame))?.particles;
+                    grown |= particles.len() as u32 > object.capacity;
+                    object.capacity = object.capacity.max(particles.len() as u32);
+                }
+                PlayedMatter::Imported(volume) => {
+                    if volume.seek(gpu, &*self.assets, frame)? {
+                        self.volumes.renew(number, volume.field.clone());
+                    }
+                }
+                PlayedMatter::Still(_)
+                | PlayedMatter::Morph(_)
+                | PlayedMatter::Smoke(_)
+                | PlayedMatter::Model(_) => {}
             }
         }
         if grown {
@@ -231,6 +247,7 @@ impl Player {
             match &object.matter {
                 PlayedMatter::Sequence(_, particles) => self.upload(gpu, object, particles),
                 PlayedMatter::Morph(tracks) => self.upload(gpu, object, &tracks.at(self.secs(frame))),
+                PlayedMatter::Imported(volume) => self.upload(gpu, object, &volume.lobes),
                 PlayedMatter::Still(_) | PlayedMatter::Smoke(_) | PlayedMatter::Model(_) => {}
             }
         }

@@ -8,7 +8,7 @@ use crate::{
     Error,
     gpu::Gpu,
     light::LightsUniform,
-    shapes::volume::{VolumeObject, VolumeScene},
+    shapes::volume::{Source, VolumeObject, VolumeScene},
 };
 
 /// All volumes, of puffs that have their places.
@@ -16,20 +16,21 @@ pub(super) fn volumes(gpu: &Gpu, scene: &Scene, objects: &[PlayedObject]) -> Res
     let mut volumes = Vec::new();
     for (index, (object, played)) in scene.objects.iter().zip(objects).enumerate() {
         let Some(volume) = object.shape.volume() else { continue };
-        let room = match &played.matter {
-            PlayedMatter::Still(particles) => volume.room(particles),
+        let (source, moves) = match &played.matter {
+            PlayedMatter::Still(particles) => (Source::Puffs(volume.room(particles)), false),
             PlayedMatter::Sequence(..) | PlayedMatter::Morph(_) | PlayedMatter::Smoke(_) => {
-                volume.moving_room()
+                (Source::Puffs(volume.moving_room()), true)
             }
+            PlayedMatter::Imported(volume) => (Source::File(volume.field.clone()), false),
             PlayedMatter::Model(_) => continue,
         };
         let first = played.placement.first;
         let volume = VolumeObject {
             object: index,
             volume: volume.clone(),
-            room,
+            source,
             puffs: first..first + played.capacity,
-            moves: !matches!(played.matter, PlayedMatter::Still(_)),
+            moves,
             shadows: object.style.shadow.on,
         };
         volume.check().map_err(|source| Error::Volume { object: object.name.clone(), source })?;

@@ -90,8 +90,9 @@ struct Seen {
     weights: vec3f,
     part: u32,
     side: f32,
-    // Of a volume: how much of each light that throws shadows comes through it.
+    // Of a volume: how much of each light that throws shadows comes through it, and of its own there is.
     through: vec4f,
+    heat: f32,
 }
 
 fn seen_at(id: u32, px: vec2i, distance: f32) -> Seen {
@@ -115,9 +116,10 @@ fn seen_at(id: u32, px: vec2i, distance: f32) -> Seen {
     seen.normal = normal / max(length(normal), 1e-6);
     seen.colour = vec3f(1.0);
     if is_volume(seen.object) {
-        let colour = unpack4x8unorm(textureLoad(hits, px, 0).w).rgb;
+        let own = unpack4x8unorm(textureLoad(hits, px, 0).w);
         seen.opacity = 1.0;
-        seen.colour = mix(vec3f(1.0), colour, styles[seen.object].material);
+        seen.heat = own.a;
+        seen.colour = mix(vec3f(1.0), own_colour(own.rgb, seen.object), styles[seen.object].material);
         seen.through = textureLoad(light_layer, px, 0);
     }
     return seen;
@@ -127,7 +129,7 @@ fn is_volume(object: u32) -> bool {
     return HAS_VOLUMES && (styles[object].flags & IS_VOLUME) != 0u;
 }
 
-// A mesh's own colour, as its style takes it.
+// The own colour of a mesh or a volume, as its style takes it.
 fn own_colour(linear: vec3f, object: u32) -> vec3f {
     if HAS_STEPS && tones[object].material_steps > 0.0 {
         return quantised(linear, tones[object].material_steps);
@@ -209,7 +211,7 @@ fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let at = Sight(position.xy, distance, place, normalize(view.world_from_view[3].xyz - place));
     let shadow = textureSampleLevel(shadows, linear, position.xy / view.size_px, 0.0);
     let shows_shadows = (styles[seen.object].flags & SHOWS_SHADOWS) != 0u;
-    var amount = select(0.0, styles[seen.object].glow, HAS_VOLUMES);
+    var amount = select(0.0, styles[seen.object].glow * seen.heat, HAS_VOLUMES);
     var shine = 0.0;
     for (var i = 0u; i < lights.count; i++) {
         let light = lights.light[i];

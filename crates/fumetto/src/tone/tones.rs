@@ -124,6 +124,7 @@ impl Features {
     /// What `objects` need.
     pub(crate) fn of(objects: &[Object], has_meshes: bool) -> Self {
         let any = |needs: fn(&Object) -> bool| objects.iter().any(|object| object.visible && needs(object));
+        let has_volumes = any(|object| object.shape.volume().is_some());
         let needs = [
             has_meshes,
             any(|object| axis(&object.style.ramp).0 != 0),
@@ -131,8 +132,8 @@ impl Features {
             any(|object| object.style.highlight.on),
             any(|object| object.style.rim.on),
             any(|object| object.style.exaggerate.amount > 0.0),
-            has_meshes && any(|object| object.style.material_steps > 0),
-            any(|object| object.shape.volume().is_some()),
+            (has_meshes || has_volumes) && any(|object| object.style.material_steps > 0),
+            has_volumes,
             any(is_hatched),
         ];
         Self((0..).zip(needs).map(|(bit, is_needed)| u32::from(is_needed) << bit).sum())

@@ -1,7 +1,8 @@
 use std::path::Path;
 
 use fumetto_formats::{
-    Solid, write_glb, write_mtl, write_obj, write_particles_csv, write_particles_ply, write_solids_ply,
+    Grid, Solid, VdbOptions, write_glb, write_mtl, write_obj, write_particles_csv, write_particles_ply,
+    write_solids_ply, write_vdb,
 };
 use fumetto_scene::Particle;
 use serde_json::{Value, json};
@@ -11,10 +12,14 @@ use crate::args::{Format, What};
 use crate::output;
 use crate::stage::Stage;
 
+/// Half floats are as exact as what rays go through.
+const PACKED: VdbOptions = VdbOptions { zip: true, half: true };
+
 /// What a file will hold.
 pub(super) enum Contents {
     Meshes { solids: Vec<Solid>, notes: Vec<String> },
     Particles(Vec<Particle>),
+    Volumes(Vec<Grid>),
 }
 
 impl Contents {
@@ -26,6 +31,9 @@ impl Contents {
                 particles.extend(stage.particles(object)?);
             }
             return Ok(Self::Particles(particles));
+        }
+        if plan.what == What::Volumes {
+            return Ok(Self::Volumes(volumes(plan, stage)?));
         }
         let (mut solids, mut notes) = (Vec::new(), Vec::new());
         for &object in &plan.objects {
@@ -40,7 +48,7 @@ impl Contents {
     pub(super) fn notes(&self) -> &[String] {
         match self {
             Self::Meshes { notes, .. } => notes,
-            Self::Particles(_) => &[],
+            Self::Particles(_) | Self::Volumes(_) => &[],
         }
     }
 
@@ -51,6 +59,7 @@ impl Contents {
                 output::write(path, |draft| write_particles_csv(particles, draft))
             }
             Self::Particles(particles) => output::write(path, |draft| write_particles_ply(particles, draft)),
+            Self::Volumes(grids) => output::write(path, |draft| write_vdb(grids, PACKED, draft)),
             Self::Meshes { solids, .. } => match plan.target.format {
                 Format::Obj => write_obj_and_mtl(solids, path),
                 Format::Ply => output::write(path, |draft| write_solids_ply(solids, draft)),
@@ -65,6 +74,14 @@ impl Contents {
             Self::Particles(particles) => {
                 (format!("{} particles", particles.len()), json!({ "particles": particles.len() }))
             }
+            Self::Volumes(grids) => {
+                let voxels: u64 = grids.iter().map(|grid| grid.voxels.active_count()).sum();
+                let names: Vec<&str> = grids.iter().map(|grid| grid.name.as_str()).collect();
+                (
+                    format!("{voxels} voxels in {}", names.join(", ")),
+                    json!({ "voxels": voxels, "grids": names }),
+                )
+            }
             Self::Meshes { solids, notes } => {
                 let triangles: usize = solids.iter().map(Solid::triangle_count).sum();
                 let vertices: usize = solids.iter().map(|solid| solid.positions.len()).sum();
@@ -77,6 +94,21 @@ impl Contents {
             }
         }
     }
+}
+
+/// The grids of all objects. What other programs look for by its name is left to one object; those of several are
+/// called after them.
+fn volumes(plan: &Plan, stage: &Stage) -> anyhow::Result<Vec<Grid>> {
+    let mut all = Vec::new();
+    for &object in &plan.objects {
+        let mut grids = stage.volume(object)?;
+        if plan.objects.len() > 1 {
+            let name = stage.name_of(object);
+            grids.iter_mut().for_each(|grid| grid.name = format!("{name}.{}", grid.name));
+        }
+        all.extend(grids);
+    }
+    Ok(all)
 }
 
 fn solid_json(solid: &Solid) -> Value {

@@ -28,7 +28,7 @@ pub(crate) fn run(args: &ExportArgs) -> anyhow::Result<ExitCode> {
     let start = Instant::now();
     let files = match what {
         What::Sprites => sprites(&plan, &stage)?,
-        What::Meshes | What::Particles => frames(&plan, &mut stage, &interrupt)?,
+        What::Meshes | What::Particles | What::Volumes => frames(&plan, &mut stage, &interrupt)?,
     };
     plan.tell(&json!({
         "done": true,

@@ -26,6 +26,7 @@ pub(super) fn what(args: &ExportArgs) -> Result<What, Stop> {
             What::Meshes => ".glb, .obj or .ply",
             What::Particles => ".ply or .csv",
             What::Sprites => ".png",
+            What::Volumes => ".vdb",
         };
         return wrong(format!("{name} cannot hold what --what asks for; end its name in {fitting}"));
     }
@@ -83,6 +84,10 @@ fn objects(args: &ExportArgs, what: What, scene: &Scene) -> anyhow::Result<Vec<u
     if found.is_empty() {
         let problem = match what {
             What::Particles => "no object that is to be written has particles; models have none",
+            What::Volumes => {
+                "no object that is to be written is a volume. Give one `shape = { volume = {} }`, or write its \
+                 surface or its particles"
+            }
             What::Meshes | What::Sprites => {
                 "no object that is to be written has triangles; puffs have none. Give one \
                  `shape = { surface = {} }`, or write particles: --what particles, into a .ply or .csv"
@@ -91,7 +96,11 @@ fn objects(args: &ExportArgs, what: What, scene: &Scene) -> anyhow::Result<Vec<u
         anyhow::bail!("{}: {problem}", args.scene.scene.display());
     }
     for (_, object) in wanted().filter(|(_, object)| !holds(object, what)) {
-        let has = if what == What::Meshes { "triangles" } else { "particles" };
+        let has = match what {
+            What::Meshes | What::Sprites => "triangles",
+            What::Particles => "particles",
+            What::Volumes => "volume",
+        };
         console::say(&format!("note: `{}` has no {has} and is left out", object.name));
     }
     Ok(found)
@@ -101,7 +110,8 @@ fn holds(object: &Object, what: What) -> bool {
     let is_model = matches!(object.matter, Matter::Mesh(_));
     match what {
         What::Meshes => is_model || object.shape.surface().is_some(),
-        What::Particles => !is_model,
+        What::Particles => !is_model && !matches!(object.matter, Matter::Imported(_)),
+        What::Volumes => !is_model && object.shape.volume().is_some(),
         What::Sprites => false,
     }
 }

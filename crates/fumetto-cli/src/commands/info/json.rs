@@ -39,6 +39,7 @@ fn object_json(object: &Object, load: &Load) -> Value {
         Matter::Still(_) => ("cloud", 0, 0, None),
         Matter::File(path) => ("cloud", 0, 0, Some(path)),
         Matter::Morph(_) => ("cloud", 0, 0, None),
+        Matter::Imported(imported) => ("volume", 0, 0, Some(&imported.file)),
         Matter::Mesh(mesh) => ("mesh", 0, 0, Some(&mesh.model)),
         Matter::Smoke(smoke) => ("smoke", smoke.emitters.len(), smoke.forces.len(), None),
     };
@@ -57,6 +58,9 @@ fn object_json(object: &Object, load: &Load) -> Value {
         "details": load.details.iter().map(detail).collect::<Vec<_>>(),
         "volume": load.volume.map(|room| json!({
             "cells": room.cells, "light_cells": room.light_cells, "bytes": room.bytes(),
+        })),
+        "imported": load.imported.map(|size| json!({
+            "voxels": size.voxels, "bricks": size.bricks, "bytes": size.bytes,
         })),
         "bytes": load.bytes(),
         "style": style_json(&object.style),

@@ -6,7 +6,7 @@ mod text;
 use std::process::ExitCode;
 
 use anyhow::Context as _;
-use fumetto::{Assets as _, Tiling};
+use fumetto::{Assets as _, ImportedSize, Tiling, imported_size};
 use fumetto_formats::{ModelOptions, is_sequence, read_model, read_particles, sequence_path};
 use fumetto_scene::limits::PARTICLE_BYTES;
 use fumetto_scene::{
@@ -48,6 +48,8 @@ struct Load {
     details: Vec<SurfaceRoom>,
     /// Room for a volume's grids.
     volume: Option<VolumeRoom>,
+    /// What a volume out of a file holds.
+    imported: Option<ImportedSize>,
 }
 
 impl Load {
@@ -84,7 +86,8 @@ impl Load {
     fn bytes(&self) -> u64 {
         let details =
             self.details.iter().map(SurfaceRoom::bytes).fold(self.surface_bytes(), u64::saturating_add);
-        let volume = self.volume.map_or(0, |room| room.bytes());
+        let puffs = self.volume.map_or(0, |room| room.bytes());
+        let volume = puffs.saturating_add(self.imported.map_or(0, |size| size.bytes));
         self.particles
             .saturating_mul(PARTICLE_BYTES)
             .saturating_add(vortex_bytes(self.vortices))
@@ -117,6 +120,10 @@ fn loads(scene: &Scene, folder: &SceneFolder) -> anyhow::Result<Vec<Load>> {
             let model = read_model(&mesh.model, &bytes, options, &mut |beside| folder.read(beside))?;
             let triangles = model.triangle_count() * mesh.copies.len() as u64;
             Ok(Load { triangles, ..Load::default() })
+        }
+        Matter::Imported(imported) => {
+            let size = imported_size(folder, imported, scene.time.frames[0])?;
+            Ok(Load { imported: Some(size), ..Load::default() })
         }
         Matter::Still(_) | Matter::Smoke(_) => {
             let particles = cost.particles.unwrap_or_default();

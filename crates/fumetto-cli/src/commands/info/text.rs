@@ -1,5 +1,6 @@
 //! For people.
 
+use fumetto::ImportedSize;
 use fumetto_formats::is_sequence;
 use fumetto_scene::limits::PARTICLE_BYTES;
 use fumetto_scene::{Light, Matter, Object, Ramp, Scene, Style, VolumeRoom, Width, vortex_bytes};
@@ -31,12 +32,13 @@ pub(super) fn of(name: &str, scene: &Scene, loads: &[Load]) -> String {
             matter(object),
             if object.visible { "" } else { ", hidden" }
         ));
-        lines.push(load_words(load));
+        lines.extend(load_words(load));
         lines.extend(vortex_words(load.vortices));
         let surface = load.surface.map(|room| surface_words("surface", room.triangles, load.surface_bytes()));
         lines.extend(surface);
         lines.extend(load.details.iter().map(|room| surface_words("detail", room.triangles, room.bytes())));
         lines.extend(load.volume.as_ref().map(volume_words));
+        lines.extend(load.imported.as_ref().map(imported_words));
         lines.push(format!("    style     {}", style_words(&object.style)));
     }
     let sum = sum(loads);
@@ -44,12 +46,13 @@ pub(super) fn of(name: &str, scene: &Scene, loads: &[Load]) -> String {
     lines.join("\n")
 }
 
-fn load_words(load: &Load) -> String {
+fn load_words(load: &Load) -> Option<String> {
     match load {
+        Load { imported: Some(_), .. } => None,
         Load { triangles: 0, particles, .. } => {
-            format!("    particles {}", cost(*particles, particles.saturating_mul(PARTICLE_BYTES)))
+            Some(format!("    particles {}", cost(*particles, particles.saturating_mul(PARTICLE_BYTES))))
         }
-        Load { triangles, .. } => format!("    triangles {}", HumanCount(*triangles)),
+        Load { triangles, .. } => Some(format!("    triangles {}", HumanCount(*triangles))),
     }
 }
 
@@ -65,6 +68,11 @@ fn surface_words(what: &str, triangles: u32, bytes: u64) -> String {
 fn volume_words(room: &VolumeRoom) -> String {
     let ([x, y, z], [a, b, c], bytes) = (room.cells, room.light_cells, BinaryBytes(room.bytes()));
     format!("    volume    {x} x {y} x {z} cells, {a} x {b} x {c} of light, {bytes} on the GPU")
+}
+
+fn imported_words(size: &ImportedSize) -> String {
+    let (voxels, bricks) = (HumanCount(size.voxels), HumanCount(size.bricks.into()));
+    format!("    volume    {voxels} voxels in {bricks} bricks, {} on the GPU", BinaryBytes(size.bytes))
 }
 
 fn cost(particles: u64, bytes: u64) -> String {
@@ -91,6 +99,10 @@ fn matter(object: &Object) -> String {
         Matter::File(path) => format!("particles in {path}"),
         Matter::Morph(morph) if morph.changes.len() == 1 => "particles that become others".to_owned(),
         Matter::Morph(morph) => format!("particles that become others {} times", morph.changes.len()),
+        Matter::Imported(imported) if is_sequence(&imported.file) => {
+            format!("the volumes {}, by frame", imported.file)
+        }
+        Matter::Imported(imported) => format!("the volume {}", imported.file),
         Matter::Mesh(mesh) if mesh.copies.len() == 1 => format!("the model {}", mesh.model),
         Matter::Mesh(mesh) => format!("{} copies of the model {}", mesh.copies.len(), mesh.model),
         Matter::Smoke(smoke) => {

@@ -190,15 +190,20 @@ fn placements<'a>(
     time_secs: f32,
 ) -> impl Iterator<Item = (Placed, Mat4)> + use<'a> {
     let placed = model.placed(time_secs);
-    let up = if mesh.z_up { Mat4::from_rotation_x(-std::f32::consts::FRAC_PI_2) } else { Mat4::IDENTITY };
     mesh.copies.iter().flat_map(move |copy| {
-        let world_from_model = matrix(copy) * up;
+        let world_from_model = world_from_file(copy, mesh.z_up);
         let place = |placed: &Placed| {
             let world_from_part = world_from_model * Mat4::from_cols_array_2d(&placed.world_from_part);
             (*placed, world_from_part)
         };
         placed.iter().map(place).collect::<Vec<_>>()
     })
+}
+
+/// Where a transform brings what a file holds, whose z axis may point up.
+pub(crate) fn world_from_file(transform: &Transform, z_up: bool) -> Mat4 {
+    let up = if z_up { Mat4::from_rotation_x(-std::f32::consts::FRAC_PI_2) } else { Mat4::IDENTITY };
+    matrix(transform) * up
 }
 
 fn matrix(transform: &Transform) -> Mat4 {

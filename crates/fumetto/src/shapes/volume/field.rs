@@ -1,16 +1,35 @@
 use fumetto_scene::VolumeRoom;
 
+use super::bricks::BrickField;
 use crate::gpu::Gpu;
 
 /// Cells along a block's side. Also in `grid.wgsl`.
 pub(super) const BLOCK: u32 = 8;
 
-/// Bytes of a `VolumeGrid` of `grid.wgsl`.
-const GRID_BYTES: u64 = 48;
+/// `VolumeGrid` of `grid.wgsl`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, bytemuck::Pod, bytemuck::Zeroable)]
+pub(crate) struct CellGrid {
+    pub(crate) origin: [f32; 3],
+    pub(crate) cell_m: f32,
+    pub(crate) cells: [u32; 3],
+    light_cell_m: f32,
+    light_cells: [u32; 3],
+    pad: f32,
+}
 
 /// A density field, and the light in it: what rays are marched through.
 #[derive(Debug)]
-pub(crate) struct Field {
+pub(crate) enum Field {
+    /// Of puffs.
+    Cells(CellField),
+    /// Out of a file.
+    Bricks(BrickField),
+}
+
+/// A density field in the cells of a grid.
+#[derive(Debug)]
+pub(crate) struct CellField {
     pub(super) room: VolumeRoom,
     /// `VolumeGrid` of `grid.wgsl`: where the cells lie.
     pub(super) grid: wgpu::Buffer,
@@ -25,6 +44,16 @@ pub(crate) struct Field {
 }
 
 impl Field {
+    /// Who owns which cell, where there are several who may.
+    pub(super) fn owners(&self) -> Option<&wgpu::Texture> {
+        match self {
+            Self::Cells(field) => Some(&field.owners),
+            Self::Bricks(_) => None,
+        }
+    }
+}
+
+impl CellField {
     /// Empty; its `room` has been checked.
     pub(crate) fn new(gpu: &Gpu, room: VolumeRoom) -> Self {
         let texture = |label, [width, height, depth_or_array_layers]: [u32; 3], format| {
@@ -52,7 +81,7 @@ impl Field {
         let blocks: u64 = room.cells.iter().map(|side| u64::from(side.div_ceil(BLOCK))).product();
         Self {
             room,
-            grid: buffer("shapes.volume.grid", GRID_BYTES),
+            grid: buffer("shapes.volume.grid", size_of::<CellGrid>() as u64),
             density: texture("shapes.volume.density", room.cells, wgpu::TextureFormat::Rgba16Float),
             owners: texture("shapes.volume.owners", room.cells, wgpu::TextureFormat::R32Uint),
             occupied: buffer("shapes.volume.occupied", 4 * blocks),
@@ -64,6 +93,16 @@ impl Field {
         }
     }
 
+    /// Its [`CellGrid`].
+    pub(crate) fn grid(&self) -> &wgpu::Buffer {
+        &self.grid
+    }
+
+    /// Four halves to a cell, of which the last is the density.
+    pub(crate) fn density(&self) -> &wgpu::Texture {
+        &self.density
+    }
+
     /// Workgroups of 4³ that cover the blocks.
     pub(super) fn block_groups(&self) -> [u32; 3] {
         self.room.cells.map(|side| side.div_ceil(BLOCK).div_ceil(4))
@@ -72,4 +111,12 @@ impl Field {
 
 pub(super) fn view(texture: &wgpu::Texture) -> wgpu::TextureView {
     texture.create_view(&wgpu::TextureViewDescriptor::default())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gpu::layout_test;
+
+    layout_test!(lies_as_its_twin: CellGrid, "VolumeGrid" of "shapes/volume/march" { origin, cell_m, cells, light_cell_m, light_cells });
 }

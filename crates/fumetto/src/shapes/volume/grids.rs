@@ -1,7 +1,8 @@
 //! From particles to what is marched: the grids of matter and of light.
 
 use super::{
-    field::{Field, view},
+    bricks::BrickField,
+    field::{CellField, Field, view},
     recipe::RecipeUniform,
 };
 use crate::gpu::{Frame, Gpu, Slot, kernels, linear_sampler, shader};
@@ -13,6 +14,7 @@ pub(crate) struct Volume {
     matter: wgpu::ComputePipeline,
     occupied: wgpu::ComputePipeline,
     transmit: wgpu::ComputePipeline,
+    transmit_bricks: wgpu::ComputePipeline,
     linear: wgpu::Sampler,
 }
 
@@ -33,12 +35,13 @@ impl Volume {
         let slots = [Uniform, Read, Read, WriteTexture3d, WriteIds3d];
         let [matter] = kernels(gpu, shader!("shapes/volume/matter"), &slots, ["main"]);
         let [occupied] = kernels(gpu, shader!("shapes/volume/occupied"), &[Read, Write, Texture3d], ["main"]);
-        let slots = [Uniform, Uniform, Read, Texture3d, Linear, WriteTexture3d];
+        let slots = [Uniform, Uniform, Linear, Read, Read, Texture3d, WriteTexture3d];
         let [transmit] = kernels(gpu, shader!("shapes/volume/transmit"), &slots, ["main"]);
-        Self { bounds, matter, occupied, transmit, linear: linear_sampler(gpu) }
+        let [transmit_bricks] = kernels(gpu, shader!("shapes/volume/bricks/transmit"), &slots, ["main"]);
+        Self { bounds, matter, occupied, transmit, transmit_bricks, linear: linear_sampler(gpu) }
     }
 
-    /// Fills `field` with the matter of `puffs`, and with the light that comes through it.
+    /// Fills `field` with the matter of `puffs`, unless it has its own, and with the light that comes through it.
     pub(super) fn record(
         &self,
         frame: &mut Frame<'_>,
@@ -48,8 +51,13 @@ impl Volume {
         field: &Field,
     ) {
         let recipe = frame.uniform("shapes.volume.recipe", recipe);
-        self.record_matter(frame, puffs, &recipe, field);
-        self.record_light(frame, lights, &recipe, field);
+        match field {
+            Field::Cells(field) => {
+                self.record_matter(frame, puffs, &recipe, field);
+                self.record_light(frame, lights, &recipe, field);
+            }
+            Field::Bricks(field) => self.record_light_in_bricks(frame, lights, &recipe, field),
+        }
     }
 
     fn record_matter(
@@ -57,7 +65,7 @@ impl Volume {
         frame: &mut Frame<'_>,
         puffs: &wgpu::Buffer,
         recipe: &wgpu::Buffer,
-        field: &Field,
+        field: &CellField,
     ) {
         let room =
             RoomUniform { cells: field.room.cells, pad: 0, light_cells: field.room.light_cells, pad_end: 0 };
@@ -95,7 +103,7 @@ impl Volume {
         frame: &mut Frame<'_>,
         lights: &wgpu::Buffer,
         recipe: &wgpu::Buffer,
-        field: &Field,
+        field: &CellField,
     ) {
         let (density, transmitted) = (view(&field.density), view(&field.transmitted));
         frame.compute(
@@ -104,12 +112,37 @@ impl Volume {
             &[
                 recipe.as_entire_binding(),
                 lights.as_entire_binding(),
-                field.grid.as_entire_binding(),
-                wgpu::BindingResource::TextureView(&density),
                 wgpu::BindingResource::Sampler(&self.linear),
+                field.grid.as_entire_binding(),
+                field.occupied.as_entire_binding(),
+                wgpu::BindingResource::TextureView(&density),
                 wgpu::BindingResource::TextureView(&transmitted),
             ],
             field.room.light_cells.map(|side| side.div_ceil(4)),
+        );
+    }
+
+    fn record_light_in_bricks(
+        &self,
+        frame: &mut Frame<'_>,
+        lights: &wgpu::Buffer,
+        recipe: &wgpu::Buffer,
+        field: &BrickField,
+    ) {
+        let (atlas, transmitted) = (view(&field.atlas), view(&field.transmitted));
+        frame.compute(
+            "shapes.volume.bricks.transmit",
+            &self.transmit_bricks,
+            &[
+                recipe.as_entire_binding(),
+                lights.as_entire_binding(),
+                wgpu::BindingResource::Sampler(&self.linear),
+                field.grid.as_entire_binding(),
+                field.table.as_entire_binding(),
+                wgpu::BindingResource::TextureView(&atlas),
+                wgpu::BindingResource::TextureView(&transmitted),
+            ],
+            field.light_sides.map(|side| side.div_ceil(4)),
         );
     }
 }

@@ -1,7 +1,7 @@
 //! Rays through volumes, for one picture.
 
 use super::{
-    field::view,
+    field::{Field, view},
     scene::{Made, VolumeScene},
 };
 use crate::{
@@ -14,6 +14,7 @@ use crate::{
 #[derive(Debug)]
 pub(crate) struct March {
     march: wgpu::RenderPipeline,
+    march_bricks: wgpu::RenderPipeline,
     place: wgpu::RenderPipeline,
     linear: wgpu::Sampler,
 }
@@ -24,7 +25,7 @@ impl March {
             pipeline.build(&gpu.device, &gpu.device.create_shader_module(program))
         };
         let targets = &[layers::HITS_FORMAT, layers::LIGHT_FORMAT, layers::SOFT_FORMAT];
-        let march = RasterPipeline { label: "shapes.volume.march", targets, ..Default::default() };
+        let march = |label| RasterPipeline { label, targets, ..Default::default() };
         let place = RasterPipeline {
             label: "shapes.volume.place",
             targets: &[layers::ID_FORMAT],
@@ -32,7 +33,8 @@ impl March {
             ..Default::default()
         };
         Self {
-            march: build(shader!("shapes/volume/march"), march),
+            march: build(shader!("shapes/volume/march"), march("shapes.volume.march")),
+            march_bricks: build(shader!("shapes/volume/bricks/march"), march("shapes.volume.bricks.march")),
             place: build(shader!("shapes/volume/place"), place),
             linear: linear_sampler(gpu),
         }
@@ -69,27 +71,33 @@ impl March {
         layers: &Layers,
         first: bool,
     ) {
-        let field = &volume.field;
         let recipe = frame.uniform("shapes.volume.recipe", &volume.recipe.uniform(0.0));
-        let [density, transmitted, owners] = [&field.density, &field.transmitted, &field.owners].map(view);
         let clear = first.then_some(wgpu::Color::TRANSPARENT);
         let colours = vec![(&*layers.hits, clear), (&*layers.light, clear), (&*layers.soft, clear)];
-        frame.fullscreen(
-            "shapes.volume.march",
-            &self.march,
-            Target { colours, depth: None },
-            &[
-                subject.view.as_entire_binding(),
-                recipe.as_entire_binding(),
-                subject.lights.as_entire_binding(),
-                field.grid.as_entire_binding(),
-                field.occupied.as_entire_binding(),
-                wgpu::BindingResource::TextureView(&density),
-                wgpu::BindingResource::TextureView(&transmitted),
-                wgpu::BindingResource::TextureView(&owners),
-                wgpu::BindingResource::TextureView(&layers.depth),
-                wgpu::BindingResource::Sampler(&self.linear),
-            ],
-        );
+        let target = Target { colours, depth: None };
+        let (label, pipeline, [grid, spaces], [density, transmitted]) = match &volume.field {
+            Field::Cells(field) => {
+                let textures = [&field.density, &field.transmitted].map(view);
+                ("shapes.volume.march", &self.march, [&field.grid, &field.occupied], textures)
+            }
+            Field::Bricks(field) => {
+                let textures = [&field.atlas, &field.transmitted].map(view);
+                ("shapes.volume.bricks.march", &self.march_bricks, [&field.grid, &field.table], textures)
+            }
+        };
+        let mut bindings = vec![
+            subject.view.as_entire_binding(),
+            recipe.as_entire_binding(),
+            wgpu::BindingResource::Sampler(&self.linear),
+            grid.as_entire_binding(),
+            spaces.as_entire_binding(),
+            wgpu::BindingResource::TextureView(&density),
+            subject.lights.as_entire_binding(),
+            wgpu::BindingResource::TextureView(&transmitted),
+            wgpu::BindingResource::TextureView(&layers.depth),
+        ];
+        let owners = volume.field.owners().map(view);
+        bindings.extend(owners.as_ref().map(wgpu::BindingResource::TextureView));
+        frame.fullscreen(label, pipeline, target, &bindings);
     }
 }

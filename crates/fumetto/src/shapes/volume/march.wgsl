@@ -6,14 +6,10 @@
 // a homogeneous stretch is exact whatever the step, and a thick cloud has the colour that was picked for it.
 
 @group(0) @binding(1) var<uniform> recipe: Recipe;
-@group(0) @binding(2) var<uniform> lights: Lights;
-@group(0) @binding(3) var<storage, read> grid: VolumeGrid;
-@group(0) @binding(4) var<storage, read> occupied: array<u32>;
-@group(0) @binding(5) var density: texture_3d<f32>;
-@group(0) @binding(6) var transmitted: texture_3d<f32>;
-@group(0) @binding(7) var owners: texture_3d<u32>;
+@group(0) @binding(2) var linear: sampler;
+@group(0) @binding(6) var<uniform> lights: Lights;
+@group(0) @binding(7) var transmitted: texture_3d<f32>;
 @group(0) @binding(8) var depth_layer: texture_depth_2d;
-@group(0) @binding(9) var linear: sampler;
 
 // Transmittance under which the rest is not looked at: less than half of an 8-bit step.
 const SPENT: f32 = 0.001;
@@ -30,27 +26,25 @@ struct Marched {
     @location(2) soft: vec4f,
 }
 
-// The part of a line of sight that lies in the grid, in metres before the camera.
+// The part of a line of sight that lies in the field, in metres before the camera.
 struct Sight {
-    // In cells of the grid.
+    // In cells.
     eye: vec3f,
     ray: vec3f,
     begin: f32,
     end: f32,
+    // In the world.
+    way: vec3f,
 }
 
 fn sight_of(px: vec2f) -> Sight {
-    let ray = world_ray(px) / grid.cell_m;
-    let eye = (view.world_from_view[3].xyz - grid.origin) / grid.cell_m;
-    let safe = select(ray, vec3f(1e-12), abs(ray) < vec3f(1e-12));
-    let one = -eye / safe;
-    let other = (vec3f(grid.cells) - eye) / safe;
-    let low = min(one, other);
-    let high = max(one, other);
+    let way = world_ray(px);
+    let eye = cell_of(view.world_from_view[3].xyz);
+    let ray = cells_along(way);
+    let ends = ends_of(eye, ray, low_end(), high_end());
     let depth = textureLoad(depth_layer, vec2i(px), 0);
     let solid = select(3e38, distance_of(depth), depth > 0.0);
-    let begin = max(max(low.x, max(low.y, low.z)), view.near);
-    return Sight(eye, ray, begin, min(min(high.x, min(high.y, high.z)), solid));
+    return Sight(eye, ray, max(ends.x, view.near), min(ends.y, solid), way);
 }
 
 // The part of a step at which it is sampled. The pattern stays where it is on the picture, so that a paused one
@@ -60,33 +54,15 @@ fn sampled_at(px: vec2f) -> f32 {
     return select(0.5, noise, recipe.soft > 0.0);
 }
 
-// Distance at which a line of sight leaves the block of cells that `at` is in.
-fn end_of_block(sight: Sight, at: vec3f) -> f32 {
-    let low = floor(at / f32(BLOCK)) * f32(BLOCK);
-    let far = select(low, low + f32(BLOCK), sight.ray > vec3f(0.0));
-    let safe = select(sight.ray, vec3f(1e-12), abs(sight.ray) < vec3f(1e-12));
-    let away = (far - sight.eye) / safe;
-    return min(away.x, min(away.y, away.z));
-}
-
-fn is_occupied(at: vec3f) -> bool {
-    let block = vec3u(clamp(at, vec3f(0.0), vec3f(grid.cells) - 0.5)) / BLOCK;
-    return occupied[block_number(block, grid.cells)] != 0u;
-}
-
-fn density_at(at: vec3f) -> vec4f {
-    return textureSampleLevel(density, linear, at / vec3f(grid.cells), 0.0);
-}
-
 // A step in which there is matter, or the first beyond the grid.
 struct Step {
     number: f32,
     // In metres before the camera, and its length.
     start: f32,
     part: f32,
-    // Where it is sampled, and what is there: colour times density, and density.
+    // Where it is sampled, and what is there.
     at: vec3f,
-    matter: vec4f,
+    sample: vec4f,
 }
 
 fn step_at(sight: Sight, number: f32, step: f32, offset: f32) -> Step {
@@ -95,11 +71,15 @@ fn step_at(sight: Sight, number: f32, step: f32, offset: f32) -> Step {
     return Step(number, start, part, sight.eye + sight.ray * (start + offset * part), vec4f(0.0));
 }
 
-// The next step from `number` on in a block that has any matter.
+// The next step from `number` on that is in no void.
 fn next_occupied(sight: Sight, number: f32, step: f32, offset: f32) -> Step {
     var next = step_at(sight, number, step, offset);
-    while next.start < sight.end && !is_occupied(next.at) {
-        let leap = ceil((end_of_block(sight, next.at) - sight.begin) / step - offset);
+    while next.start < sight.end {
+        let empty = void_at(next.at);
+        if empty.side == 0.0 {
+            break;
+        }
+        let leap = ceil((end_of_void(sight.eye, sight.ray, empty) - sight.begin) / step - offset);
         next = step_at(sight, max(next.number + 1.0, leap), step, offset);
     }
     return next;
@@ -110,8 +90,8 @@ fn next_occupied(sight: Sight, number: f32, step: f32, offset: f32) -> Step {
 fn next_matter(sight: Sight, number: f32, step: f32, offset: f32) -> Step {
     var next = next_occupied(sight, number, step, offset);
     while next.start < sight.end {
-        next.matter = density_at(next.at);
-        if next.matter.a > 0.0 {
+        next.sample = sample_at(next.at);
+        if density_of(next.sample) > 0.0 {
             break;
         }
         next = next_occupied(sight, next.number + 1.0, step, offset);
@@ -119,9 +99,9 @@ fn next_matter(sight: Sight, number: f32, step: f32, offset: f32) -> Step {
     return next;
 }
 
-// Lights that throw no shadow light all alike, as matter's own does.
+// Lights that throw no shadow light all alike.
 fn light_everywhere() -> f32 {
-    var sum = recipe.glow;
+    var sum = 0.0;
     for (var i = 0u; i < lights.count; i++) {
         sum += select(0.0, lights.light[i].intensity, lights.light[i].channel < 0);
     }
@@ -141,75 +121,78 @@ fn light_of_channels() -> vec4f {
 // Which way the matter thins out.
 fn normal_at(at: vec3f, toward_eye: vec3f) -> vec3f {
     let step = vec2f(1.0, 0.0);
-    let slope = vec3f(
-        density_at(at - step.xyy).a - density_at(at + step.xyy).a,
-        density_at(at - step.yxy).a - density_at(at + step.yxy).a,
-        density_at(at - step.yyx).a - density_at(at + step.yyx).a,
+    let falls = vec3f(
+        density_of(sample_at(at - step.xyy)) - density_of(sample_at(at + step.xyy)),
+        density_of(sample_at(at - step.yxy)) - density_of(sample_at(at + step.yxy)),
+        density_of(sample_at(at - step.yyx)) - density_of(sample_at(at + step.yyx)),
     );
+    let slope = slope_in_world(falls);
     let steep = length(slope);
-    return select(toward_eye, slope / max(steep, 1e-12), steep > 1e-6);
+    return select(toward_eye, slope / max(steep, 1e-12), steep > 1e-9);
 }
 
-// Number of the puff that a place belongs to, plus 1.
-fn owner_at(at: vec3f) -> u32 {
-    let cell = vec3u(clamp(at, vec3f(0.0), vec3f(grid.cells) - 0.5));
-    let owner = textureLoad(owners, cell, 0).x;
-    return select(owner, recipe.first + 1u, owner == 0u);
+// What was gathered on the way to the surface.
+struct Met {
+    // In metres before the camera.
+    distance: f32,
+    colour: vec3f,
+    // Share of the matter's own light.
+    heat: f32,
 }
 
-fn surface_of(sight: Sight, distance: f32, colour: vec3f) -> vec4u {
-    let at = sight.eye + sight.ray * distance;
-    let normal = normal_at(at, -normalize(sight.ray));
+fn surface_of(sight: Sight, px: vec2f, met: Met) -> vec4u {
+    let at = sight.eye + sight.ray * met.distance;
+    let normal = normal_at(at, -normalize(sight.way));
     return vec4u(
-        owner_at(at),
-        bitcast<u32>(depth_of(distance)),
+        owner_at(at, px),
+        bitcast<u32>(depth_of(met.distance)),
         octahedral_packed(normal),
-        pack4x8unorm(vec4f(colour, 1.0)),
+        pack4x8unorm(vec4f(met.colour, met.heat)),
     );
 }
 
 @fragment
 fn fragment(@builtin(position) position: vec4f) -> Marched {
-    if grid.cells.x == 0u {
-        discard;
-    }
+    // Nothing is discarded before the end: with a discard ahead of loops, llvmpipe (LLVM 15) loses the pixels of which
+    // a triangle covers only some.
     let sight = sight_of(position.xy);
-    if sight.begin >= sight.end {
-        discard;
-    }
-    // Metres along the line of sight to a metre before the camera.
-    let stretch = length(sight.ray) * grid.cell_m;
-    let wanted_m = select(recipe.step_m, 0.5 * grid.cell_m, recipe.step_m == 0.0);
-    let step = max(wanted_m, grid.cell_m / FINEST) / stretch;
+    // Metres and cells along the line of sight to a metre before the camera.
+    let stretch = length(sight.way);
+    let cells = length(sight.ray);
+    let wanted = select(recipe.step_m / stretch, recipe.step_cells / cells, recipe.step_m == 0.0);
+    let step = max(wanted, 1.0 / (FINEST * cells));
     // Neighbouring tiles of a picture share one pattern.
     let offset = sampled_at(position.xy + view.first_px);
     let everywhere = light_everywhere();
     let channels = light_of_channels();
-    let light_size = grid.light_cell_m / grid.cell_m * vec3f(grid.light_cells);
+    let light_size = light_side() * vec3f(light_sides());
 
     var left = 1.0;
     var seen = vec3f(0.0);
-    var matter = vec3f(0.0);
+    var matter = vec4f(0.0);
     var lit = vec4f(0.0);
     var marched: Marched;
     var number = 0.0;
-    while left > SPENT {
+    while left > SPENT && !is_nothing() {
         let next = next_matter(sight, number, step, offset);
-        if next.start >= sight.end {
+        if !(next.start < sight.end) {
             break;
         }
         number = next.number + 1.0;
-        let optical = recipe.extinction * next.matter.a * next.part * stretch;
+        let optical = recipe.extinction * density_of(next.sample) * next.part * stretch;
         let share = left * (1.0 - exp(-optical));
-        let light = textureSampleLevel(transmitted, linear, next.at / light_size, 0.0);
-        let colour = next.matter.rgb / next.matter.a;
-        seen += share * colour * (everywhere + dot(channels, light));
-        matter += share * colour;
+        let light = textureSampleLevel(transmitted, linear, (next.at - low_end()) / light_size, 0.0);
+        let colour = colour_of(next.sample);
+        let heat = heat_of(next.sample);
+        seen += share * colour * (recipe.glow * heat + everywhere + dot(channels, light));
+        matter += share * vec4f(colour, heat);
         lit += share * light;
         let after = left - share;
         if marched.hit.x == 0u && after <= 1.0 - recipe.surface {
             let into = log(left / (1.0 - recipe.surface)) / optical;
-            marched.hit = surface_of(sight, next.start + clamp(into, 0.0, 1.0) * next.part, matter / (1.0 - after));
+            let mean = matter / (1.0 - after);
+            let met = Met(next.start + clamp(into, 0.0, 1.0) * next.part, mean.rgb, mean.a);
+            marched.hit = surface_of(sight, position.xy, met);
             marched.light = lit / (1.0 - after);
             if recipe.soft == 0.0 {
                 break;
@@ -217,7 +200,7 @@ fn fragment(@builtin(position) position: vec4f) -> Marched {
         }
         left = after;
     }
-    if recipe.soft == 0.0 && marched.hit.x == 0u {
+    if marched.hit.x == 0u && (recipe.soft == 0.0 || left == 1.0) {
         discard;
     }
     let opacity = select(1.0 - left, 1.0, left <= SPENT);

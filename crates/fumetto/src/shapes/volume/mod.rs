@@ -18,12 +18,13 @@
 //! 224 cells to a cloud 900 pixels wide, that is about the width of a line of ink.
 //! Memory is dense, and what is seen of it is not: rays leap over blocks of 8³ cells without matter.
 //!
-//! **The march knows no puffs.** Its input is a [`Field`]: density and colour in a grid, who owns which cell, and
-//! which blocks hold anything. A field that comes from a file would be marched as it is.
+//! **The march knows no puffs.** It is written against what a field can be asked (`cells.wgsl`), and linked once with
+//! the grid of puffs and once with the bricks of a file (`bricks/bricks.wgsl`).
 //!
 //! **One renderer.** What is drawn flat is the same march: where the opacity along a ray reaches a threshold lies
 //! the surface, and the light that was gathered before it is what tones quantise.
 
+mod bricks;
 mod field;
 mod grids;
 mod march;
@@ -32,7 +33,9 @@ mod scene;
 #[cfg(test)]
 mod tests;
 
-pub(crate) use field::Field;
+pub use bricks::ImportError;
+pub(crate) use bricks::{BrickField, BrickMap, MAX_LOBES, Samples};
+pub(crate) use field::{CellField, CellGrid};
 pub(crate) use grids::Volume;
 pub(crate) use march::March;
-pub(crate) use scene::{VolumeObject, VolumeScene, VolumeTooLarge};
+pub(crate) use scene::{Source, VolumeObject, VolumeScene, VolumeTooLarge};

@@ -37,7 +37,8 @@ pub(super) struct RecipeUniform {
     surface: f32,
     step_m: f32,
     shadows: u32,
-    pad: [f32; 2],
+    step_cells: f32,
+    pad: f32,
     colours: [[f32; 4]; limits::MAX_COLOURS],
 }
 
@@ -81,7 +82,8 @@ impl Recipe {
             surface: volume.surface,
             step_m: volume.step_m.unwrap_or(0.0),
             shadows: u32::from(self.shadows),
-            pad: [0.0; 2],
+            step_cells: volume.step_cells,
+            pad: 0.0,
             colours,
         }
     }
@@ -92,5 +94,5 @@ mod tests {
     use super::*;
     use crate::gpu::layout_test;
 
-    layout_test!(lies_as_its_twin: RecipeUniform, "Recipe" of "shapes/volume/march" { first, count, is_linear, edge, amplitude, frequency, octaves, persistence, lacunarity, seed, billow, moves, drift, colour_count, extinction, glow, soft, surface, step_m, shadows, colours });
+    layout_test!(lies_as_its_twin: RecipeUniform, "Recipe" of "shapes/volume/march" { first, count, is_linear, edge, amplitude, frequency, octaves, persistence, lacunarity, seed, billow, moves, drift, colour_count, extinction, glow, soft, surface, step_m, shadows, step_cells, colours });
 }

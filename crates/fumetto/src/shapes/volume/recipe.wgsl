@@ -26,11 +26,12 @@ struct Recipe {
     glow: f32,
     soft: f32,
     surface: f32,
-    // In metres; zero for half a cell.
+    // In metres; zero where it is in cells.
     step_m: f32,
     // Whether the object shadows itself.
     shadows: u32,
-    pad: vec2f,
+    step_cells: f32,
+    pad: f32,
     // Linear.
     colours: array<vec4f, 8>,
 }

@@ -3,7 +3,11 @@ use std::ops::Range;
 use fumetto_scene::{VolumeRoom, limits::MAX_VOLUME_BYTES};
 use thiserror::Error;
 
-use super::{Field, Volume, recipe::Recipe};
+use super::{
+    BrickField, Volume,
+    field::{CellField, Field},
+    recipe::Recipe,
+};
 use crate::gpu::{Frame, Gpu};
 
 /// A volume whose grids are larger than is allowed.
@@ -21,13 +25,22 @@ pub(crate) struct VolumeObject {
     /// Its number in the scene.
     pub(crate) object: usize,
     pub(crate) volume: fumetto_scene::Volume,
-    pub(crate) room: VolumeRoom,
-    /// Its puffs in the list of all.
+    pub(crate) source: Source,
+    /// Its puffs in the list of all; the lobes of what comes out of a file.
     pub(crate) puffs: Range<u32>,
     /// Whether its particles move.
     pub(crate) moves: bool,
     /// Whether it keeps light from itself.
     pub(crate) shadows: bool,
+}
+
+/// Where a volume's matter comes from.
+#[derive(Clone, Debug)]
+pub(crate) enum Source {
+    /// Puffs, with so much room.
+    Puffs(VolumeRoom),
+    /// A file.
+    File(BrickField),
 }
 
 /// All volumes of a scene.
@@ -51,7 +64,10 @@ impl VolumeObject {
     /// # Errors
     /// When its grids would be larger than is allowed.
     pub(crate) fn check(&self) -> Result<(), VolumeTooLarge> {
-        if self.room.fits() { Ok(()) } else { Err(VolumeTooLarge(self.room)) }
+        match self.source {
+            Source::Puffs(room) if !room.fits() => Err(VolumeTooLarge(room)),
+            Source::Puffs(_) | Source::File(_) => Ok(()),
+        }
     }
 }
 
@@ -60,7 +76,10 @@ impl VolumeScene {
     pub(crate) fn new(gpu: &Gpu, objects: Vec<VolumeObject>, lights: wgpu::Buffer) -> Self {
         let made = |object: VolumeObject| Made {
             object: object.object,
-            field: Field::new(gpu, object.room),
+            field: match object.source {
+                Source::Puffs(room) => Field::Cells(CellField::new(gpu, room)),
+                Source::File(field) => Field::Bricks(field),
+            },
             recipe: Recipe {
                 volume: object.volume,
                 puffs: object.puffs,
@@ -81,6 +100,23 @@ impl VolumeScene {
                 volume.record(frame, puffs, &self.lights, &recipe, &made.field);
                 made.made = true;
             }
+        }
+    }
+
+    /// The field of an object's puffs, if it is a volume of them.
+    pub(crate) fn cells(&self, object: usize) -> Option<&CellField> {
+        let volume = self.volumes.iter().find(|volume| volume.object == object)?;
+        match &volume.field {
+            Field::Cells(field) => Some(field),
+            Field::Bricks(_) => None,
+        }
+    }
+
+    /// Puts what another file holds in the place of an object's field.
+    pub(crate) fn renew(&mut self, object: usize, field: BrickField) {
+        if let Some(volume) = self.volumes.iter_mut().find(|volume| volume.object == object) {
+            volume.field = Field::Bricks(field);
+            volume.made = false;
         }
     }
 

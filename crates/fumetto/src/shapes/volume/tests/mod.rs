@@ -1,5 +1,6 @@
 //! Fields, light and rays against closed forms, on whatever adapter there is.
 
+mod bricks;
 mod light;
 mod noise;
 mod rays;
@@ -13,7 +14,7 @@ use fumetto_scene::{Scene, SceneText};
 use glam::{UVec3, Vec3};
 use half::f16;
 
-use super::{Field, March};
+use super::{March, field::Field};
 use crate::{
     Assets, Engine, Gpu, Player,
     gpu::{Frame, Region, TexturePool, View, read_buffer, read_texture},
@@ -105,6 +106,7 @@ struct Grid {
 
 /// The density, and the light.
 fn grids(gpu: &Gpu, field: &Field) -> [Grid; 2] {
+    let Field::Cells(field) = field else { panic!("they are of puffs") };
     let words: Vec<u32> = read_buffer(gpu, &field.grid).expect("the device lives");
     let float = |at: usize| f32::from_bits(words[at]);
     let cells = |at: usize| UVec3::new(words[at], words[at + 1], words[at + 2]);

@@ -35,6 +35,8 @@ fn recipe(noise: VolumeNoise) -> Recipe {
         cells: 8,
         light_cells: 4,
         step_m: None,
+        step_cells: 0.5,
+        lobe_m: None,
     };
     Recipe { volume, puffs: 0..1, moves: false, shadows: false }
 }
