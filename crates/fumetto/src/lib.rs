@@ -36,6 +36,7 @@ mod lengths;
 mod light;
 mod morph;
 mod object;
+mod paint;
 mod particles;
 mod player;
 mod print;

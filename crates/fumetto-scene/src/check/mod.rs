@@ -10,6 +10,7 @@ mod ink;
 mod mesh;
 mod morph;
 mod object;
+mod paint;
 mod ramp;
 mod scene;
 mod shape;

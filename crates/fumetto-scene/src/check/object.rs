@@ -2,6 +2,7 @@ use super::{
     At, Styles,
     mesh::mesh,
     morph::{given, metamorphosis},
+    paint::paint,
     shape::{details, shape},
     smoke::smoke,
     volume,
@@ -28,7 +29,7 @@ pub(super) fn object(
     let object = Object {
         name: file.name.clone(),
         visible: file.visible,
-        matter: matter(at, file),
+        matter: matter(at, file, step_secs),
         details: details(&at_shape, shape_file, &shape, &style),
         shape,
         style,
@@ -56,7 +57,8 @@ pub(super) fn object(
 }
 
 /// Keys that only some kinds have, with those kinds.
-const KEYS: [(&str, &[ObjectKind]); 11] = [
+const KEYS: [(&str, &[ObjectKind]); 22] = [
+    ("opacity", &[ObjectKind::Smoke, ObjectKind::Cloud, ObjectKind::Mesh]),
     ("particles", &[ObjectKind::Cloud]),
     ("morph", &[ObjectKind::Cloud]),
     ("emitter", &[ObjectKind::Smoke]),
@@ -68,9 +70,19 @@ const KEYS: [(&str, &[ObjectKind]); 11] = [
     ("up", &[ObjectKind::Mesh]),
     ("smooth", &[ObjectKind::Mesh]),
     ("transform", &[ObjectKind::Mesh]),
+    ("drop", &[ObjectKind::Paint]),
+    ("stroke", &[ObjectKind::Paint]),
+    ("pour", &[ObjectKind::Paint]),
+    ("cells", &[ObjectKind::Paint]),
+    ("spread", &[ObjectKind::Paint]),
+    ("keep", &[ObjectKind::Paint]),
+    ("wash", &[ObjectKind::Paint]),
+    ("border", &[ObjectKind::Paint]),
+    ("inside", &[ObjectKind::Paint]),
+    ("outside", &[ObjectKind::Paint]),
 ];
 
-fn matter(at: &At<'_>, file: &ObjectFile) -> Matter {
+fn matter(at: &At<'_>, file: &ObjectFile, step_secs: f64) -> Matter {
     for (key, kinds) in KEYS {
         let at = at.key(key);
         if at.exists() && !kinds.contains(&file.kind) {
@@ -83,6 +95,7 @@ fn matter(at: &At<'_>, file: &ObjectFile) -> Matter {
         ObjectKind::Cloud => cloud(at, file),
         ObjectKind::Smoke => Matter::Smoke(smoke(at, file)),
         ObjectKind::Mesh => Matter::Mesh(mesh(at, file)),
+        ObjectKind::Paint => Matter::Paint(paint(at, file, step_secs)),
     }
 }
 
@@ -91,6 +104,7 @@ fn kind_name(kind: ObjectKind) -> &'static str {
         ObjectKind::Smoke => "smoke",
         ObjectKind::Cloud => "cloud",
         ObjectKind::Mesh => "mesh",
+        ObjectKind::Paint => "paint",
     }
 }
 

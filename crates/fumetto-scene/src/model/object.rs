@@ -1,4 +1,4 @@
-use crate::{Detail, Mesh, Metamorphosis, Particle, Shape, Smoke, Style};
+use crate::{Detail, Mesh, Metamorphosis, Paint, Particle, Shape, Smoke, Style};
 
 /// A thing in the scene: matter, its shape, and how it is drawn.
 #[derive(Clone, Debug, PartialEq)]
@@ -32,4 +32,6 @@ pub enum Matter {
     Smoke(Smoke),
     /// Triangles of a model.
     Mesh(Mesh),
+    /// Volumes that change how all else is drawn.
+    Paint(Paint),
 }

@@ -21,7 +21,7 @@ pub(super) fn volumes(gpu: &Gpu, scene: &Scene, objects: &[PlayedObject]) -> Res
             PlayedMatter::Sequence(..) | PlayedMatter::Morph(_) | PlayedMatter::Smoke(_) => {
                 volume.moving_room()
             }
-            PlayedMatter::Model(_) => continue,
+            PlayedMatter::Model(_) | PlayedMatter::Paint => continue,
         };
         let first = played.placement.first;
         let volume = VolumeObject {

@@ -101,7 +101,7 @@ fn holds(object: &Object, what: What) -> bool {
     let is_model = matches!(object.matter, Matter::Mesh(_));
     match what {
         What::Meshes => is_model || object.shape.surface().is_some(),
-        What::Particles => !is_model,
+        What::Particles => !is_model && !matches!(object.matter, Matter::Paint(_)),
         What::Sprites => false,
     }
 }

@@ -40,6 +40,7 @@ fn object_json(object: &Object, load: &Load) -> Value {
         Matter::File(path) => ("cloud", 0, 0, Some(path)),
         Matter::Morph(_) => ("cloud", 0, 0, None),
         Matter::Mesh(mesh) => ("mesh", 0, 0, Some(&mesh.model)),
+        Matter::Paint(_) => ("paint", 0, 0, None),
         Matter::Smoke(smoke) => ("smoke", smoke.emitters.len(), smoke.forces.len(), None),
     };
     let detail = |room: &SurfaceRoom| json!({ "triangles": room.triangles, "bytes": room.bytes() });
@@ -58,6 +59,7 @@ fn object_json(object: &Object, load: &Load) -> Value {
         "volume": load.volume.map(|room| json!({
             "cells": room.cells, "light_cells": room.light_cells, "bytes": room.bytes(),
         })),
+        "paint": load.paint.map(|room| json!({ "volumes": room.volumes, "bytes": room.bytes })),
         "bytes": load.bytes(),
         "style": style_json(&object.style),
     })

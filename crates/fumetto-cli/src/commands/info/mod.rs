@@ -48,6 +48,14 @@ struct Load {
     details: Vec<SurfaceRoom>,
     /// Room for a volume's grids.
     volume: Option<VolumeRoom>,
+    paint: Option<PaintRoom>,
+}
+
+/// What paint takes.
+#[derive(Clone, Copy)]
+struct PaintRoom {
+    volumes: u64,
+    bytes: u64,
 }
 
 impl Load {
@@ -90,6 +98,7 @@ impl Load {
             .saturating_add(vortex_bytes(self.vortices))
             .saturating_add(details)
             .saturating_add(volume)
+            .saturating_add(self.paint.map_or(0, |room| room.bytes))
     }
 }
 
@@ -117,6 +126,10 @@ fn loads(scene: &Scene, folder: &SceneFolder) -> anyhow::Result<Vec<Load>> {
             let model = read_model(&mesh.model, &bytes, options, &mut |beside| folder.read(beside))?;
             let triangles = model.triangle_count() * mesh.copies.len() as u64;
             Ok(Load { triangles, ..Load::default() })
+        }
+        Matter::Paint(paint) => {
+            let (volumes, bytes) = (paint.volumes(), paint.bytes());
+            Ok(Load { paint: Some(PaintRoom { volumes, bytes }), ..Load::default() })
         }
         Matter::Still(_) | Matter::Smoke(_) => {
             let particles = cost.particles.unwrap_or_default();
