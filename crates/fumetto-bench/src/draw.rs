@@ -155,8 +155,18 @@ impl Sitter {
         toml: &str,
         assets: Box<dyn Assets>,
     ) -> anyhow::Result<Self> {
+        Self::at(engine, (name, toml), assets, 0)
+    }
+
+    /// The same at a later frame.
+    pub(crate) fn at(
+        engine: &Engine,
+        (name, toml): (&str, &str),
+        assets: Box<dyn Assets>,
+        frame: u32,
+    ) -> anyhow::Result<Self> {
         let mut player = engine.play(scene::load(name, toml)?, assets).with_context(|| name.to_owned())?;
-        engine.seek(&mut player, 0)?;
+        engine.seek(&mut player, frame)?;
         let shot = Shot::of(player.scene());
         Ok(Self { player, shot })
     }

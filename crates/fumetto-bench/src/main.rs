@@ -12,6 +12,7 @@ mod edges;
 mod machine;
 mod measure;
 mod number;
+mod paint;
 mod report;
 mod scene;
 mod shadows;
@@ -32,7 +33,7 @@ use report::{Report, Row, Table};
 use subsystem::Subsystem;
 
 /// Everything that is measured, in the order of the report.
-const SUBSYSTEMS: [&Subsystem; 8] = [
+const SUBSYSTEMS: [&Subsystem; 10] = [
     &step::STEP,
     &vortex::VORTEX,
     &surface::SURFACE,
@@ -41,6 +42,8 @@ const SUBSYSTEMS: [&Subsystem; 8] = [
     &edges::EDGES,
     &shadows::SHADOWS,
     &skins::SKINS,
+    &paint::SPREAD,
+    &paint::REVEAL,
 ];
 
 fn main() -> anyhow::Result<()> {

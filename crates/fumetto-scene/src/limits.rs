@@ -31,6 +31,18 @@ pub const MAX_COLOURS: usize = 8;
 /// Most bytes that a volume's grids may take.
 pub const MAX_VOLUME_BYTES: u64 = 512 << 20;
 
+/// Most layers of paint in a scene, each wash counted singly: a pixel has a bit for each, and four more.
+pub const MAX_PAINT_LAYERS: u32 = 12;
+
+/// Most volumes of all paint: every tile of the picture asks each of them whether it comes near.
+pub const MAX_PAINT_VOLUMES: u64 = 16_384;
+
+/// Most vertices of all paint's volumes: 64 MiB of them.
+pub const MAX_PAINT_VERTICES: u64 = 8_388_608;
+
+/// Most parts into which a step is cut for paint that is stiff.
+pub const MAX_PAINT_SUBSTEPS: u32 = 1000;
+
 /// The least length of a direction. Its square must not underflow in 32 bits.
 pub const MIN_DIRECTION: f32 = 1e-9;
 
@@ -145,6 +157,18 @@ pub const FREQUENCY: Limit = Limit::above(0.0, 100.0);
 pub const VOLUME_OCTAVES: Limit = Limit::closed(1.0, 8.0);
 /// Each octave's frequency over that of the one before.
 pub const LACUNARITY: Limit = Limit::closed(1.0, 8.0);
+/// Pieces along each edge of the icosahedron that volumes of paint are made of.
+pub const SPHERE_PIECES: Limit = Limit::closed(1.0, 16.0);
+/// How hard paint is pressed.
+pub const STIFFNESS: Limit = Limit::above(0.0, 1e6);
+/// How hard it is pulled back.
+pub const ELASTICITY: Limit = Limit::closed(0.0, 1e6);
+/// Friction as a share of what is critical.
+pub const FRICTION: Limit = Limit::above(0.0, 10.0);
+/// How far grain moves a border, as a share of the radius.
+pub const GRAIN: Limit = Limit::closed(0.0, 0.9);
+/// Volumes of paint in each other.
+pub const WASHES: Limit = Limit::closed(1.0, 8.0);
 
 /// The range of a number.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -18,7 +18,7 @@ pub(crate) struct Cel {
 pub(crate) fn cels(scene: &Scene, eye: Vec3) -> Vec<Cel> {
     let objects = &scene.objects;
     let (mut opaque, mut clear) = (Vec::new(), Vec::new());
-    for (index, object) in objects.iter().enumerate().filter(|(_, object)| object.visible) {
+    for (index, object) in objects.iter().enumerate().filter(|(_, object)| is_drawn(object)) {
         if is_opaque(object) { opaque.push(index) } else { clear.push(index) }
     }
     clear.sort_by(|&a, &b| {
@@ -27,6 +27,11 @@ pub(crate) fn cels(scene: &Scene, eye: Vec3) -> Vec<Cel> {
     });
     let cel = |members: Vec<usize>| Cel { pre_shaded: is_pre_shaded(scene, &members), members };
     std::iter::once(opaque).chain(clear.into_iter().map(|index| vec![index])).map(cel).collect()
+}
+
+/// Paint only shows in how all else is drawn.
+fn is_drawn(object: &Object) -> bool {
+    object.visible && !matches!(object.matter, Matter::Paint(_))
 }
 
 /// Sprites are shaded once for all puffs only in light that is the same for all.
@@ -57,9 +62,12 @@ fn is_opaque(object: &Object) -> bool {
             .emitters
             .iter()
             .any(|emitter| emitter.opacity_over_life.points.iter().any(|&[_, opacity]| opacity < 1.0)),
-        Matter::Still(_) | Matter::File(_) | Matter::Morph(_) | Matter::Mesh(_) | Matter::Imported(_) => {
-            false
-        }
+        Matter::Still(_)
+        | Matter::File(_)
+        | Matter::Morph(_)
+        | Matter::Mesh(_)
+        | Matter::Imported(_)
+        | Matter::Paint(_) => false,
     };
     let is_soft = object.shape.volume().is_some_and(|volume| volume.soft > 0.0);
     object.opacity >= 1.0 && !fades && !is_soft
@@ -78,7 +86,7 @@ fn anchor(object: &Object) -> Vec3 {
             let listed = morph.start.listed().unwrap_or_default();
             mean(&mut listed.iter().map(|particle| particle.center.into()))
         }
-        Matter::File(_) => Vec3::ZERO,
+        Matter::File(_) | Matter::Paint(_) => Vec3::ZERO,
         Matter::Imported(imported) => imported.place.position.into(),
         Matter::Mesh(mesh) => mean(&mut mesh.copies.iter().map(|copy| copy.position.into())),
         Matter::Smoke(smoke) => mean(&mut smoke.emitters.iter().map(|emitter| match emitter.shape {

@@ -5,6 +5,7 @@ use crate::{
     Assets, Error, Layer, Player,
     frame::Painter,
     gpu::{Frame, Gpu, Region, TexturePool, read_texture},
+    paint::Spreading,
     particles::Particles,
     player::PlayedMatter,
     proof::atlas_pictures,
@@ -33,6 +34,7 @@ pub struct Engine {
     place: Place,
     surface: Surface,
     volume: Volume,
+    spreading: Spreading,
     pub(crate) painter: Painter,
 }
 
@@ -73,6 +75,7 @@ impl Engine {
             place: Place::new(&gpu),
             surface: Surface::new(&gpu),
             volume: Volume::new(&gpu),
+            spreading: Spreading::new(&gpu),
             painter: Painter::new(&gpu),
             pool: TexturePool::default(),
             gpu,
@@ -120,6 +123,7 @@ impl Engine {
             for plume in player.plumes() {
                 plume.reset(&mut frame);
             }
+            player.paints.reset(&mut frame);
             frame.submit();
             player.steps = 0;
         }
@@ -131,6 +135,7 @@ impl Engine {
                 for plume in player.plumes() {
                     self.particles.step(&mut frame, plume, step, dt);
                 }
+                self.spreading.step(&mut frame, &player.paints, step, dt);
             }
             frame.submit();
             player.steps = end;
@@ -156,6 +161,7 @@ impl Engine {
         player.surfaces.move_on();
         player.surfaces.record(&mut frame, &self.surface, &player.puffs.puffs, None, (secs, &player.meshes));
         player.volumes.record(&mut frame, &self.volume, &player.puffs.puffs, secs);
+        self.spreading.measure(&mut frame, &player.paints);
         frame.submit();
     }
 

@@ -81,7 +81,7 @@ impl Engine {
                 particles.retain(|particle| particle.radius > 0.0);
                 Ok(particles)
             }
-            PlayedMatter::Model(_) | PlayedMatter::Imported(_) => Ok(Vec::new()),
+            PlayedMatter::Model(_) | PlayedMatter::Imported(_) | PlayedMatter::Paint => Ok(Vec::new()),
             PlayedMatter::Smoke(_) => {
                 let range = player.puffs.objects[object].range.clone();
                 let puffs: Vec<Puff> = read_items(self.gpu(), &player.puffs.puffs, range)?;

@@ -10,6 +10,8 @@ use crate::{
     layers::Layers,
     lengths::SETTLE,
     light::{Casting, LightsUniform, Shadows, Soften, Volumes},
+    paint::Mask,
+    player::Look,
     proof::Proof,
     setting::Setting,
     shapes::mesh,
@@ -17,8 +19,8 @@ use crate::{
     shapes::volume::{March, VolumeScene},
     tiles::Part,
     tone::{
-        CEL_FORMAT, Canvas, Compose, Copied, Features, Flat, Ground, Hatched, Inked, Sheet, Sprites, Under,
-        Veil,
+        CEL_FORMAT, Canvas, Compose, Copied, Features, Flat, Ground, Hatched, Inked, Reveal, Sheet, Sprites,
+        Under, Veil,
     },
 };
 
@@ -47,8 +49,31 @@ pub(crate) struct Painter {
     sprites: Sprites,
     copied: Copied,
     veil: Veil,
+    mask: Mask,
+    reveal: Reveal,
     compose: Compose,
     room: Option<Room>,
+}
+
+/// The ink around in all of the picture, by the number of the look, and the side of its cells in samples of what is
+/// drawn.
+type Known<'a> = &'a dyn Fn(usize) -> Option<(&'a InkAround, f32)>;
+
+/// What a cel shows: its layers, the shadows on it, and the layers of the opaque cel if that is another.
+type Seen<'a> = (&'a Layers, &'a Transient, Option<&'a Layers>);
+
+/// A cel in one look.
+struct Drawn {
+    /// `None` where they are in the picture.
+    tones: Option<Transient>,
+    ink: Transient,
+    around: InkAround,
+}
+
+/// What lies behind everything.
+fn backdrop(player: &Player) -> Under<'_> {
+    let is_grey = !player.paints.is_empty() && player.paints.coats.is_grey_outside();
+    if is_grey { Under::GreyBackdrop(&player.backdrop) } else { Under::Backdrop(&player.backdrop) }
 }
 
 /// What is needed for pictures of one size and scenes of one number of puffs.
@@ -86,6 +111,8 @@ impl Painter {
             sprites: Sprites::new(gpu),
             copied: Copied::new(gpu),
             veil: Veil::new(gpu),
+            mask: Mask::new(gpu),
+            reveal: Reveal::new(gpu),
             compose: Compose::new(gpu),
             room: None,
         }
@@ -112,15 +139,18 @@ impl Painter {
         for (index, cel) in cels.iter().enumerate() {
             setting.write_styles(gpu, cel);
             let mut frame = Frame::new(gpu, pool, "frame");
-            let under = picture.as_ref().map_or(Under::Backdrop(&player.backdrop), |p| Under::Picture(p));
+            let under = picture.as_ref().map_or(backdrop(player), |picture| Under::Picture(picture));
             let is_last = index + 1 == cels.len();
             let next = (!is_last).then(|| frame.texture("frame.picture", size, CEL_FORMAT));
             let to = next.as_deref().unwrap_or(target);
-            let known = part.survey.and_then(|survey| survey.around(index, part.region));
+            let known = |look| {
+                let number = index * player.looks.len() + look;
+                part.survey.and_then(|survey| survey.around(number, part.region))
+            };
             let (layers, around) =
-                self.paint_cel(&mut frame, &setting, (cel, known), opaque.as_ref(), under, to);
+                self.paint_cel(&mut frame, &setting, (cel, &known), opaque.as_ref(), under, to);
             frame.submit();
-            arounds.push(around);
+            arounds.extend(around);
             // Transparent cels are drawn over the opaque one, and are hidden by it where it is nearer.
             opaque = opaque.or(Some(layers));
             picture = next;
@@ -155,22 +185,26 @@ impl Painter {
         self.make_room(gpu, &player.puffs, view.size);
         let scene = player.scene();
         let lights = LightsUniform::of(scene);
-        let features = Features::of(&scene.objects, !player.meshes.is_empty());
-        self.flat.prepare(gpu, features);
-        Setting { player, view, lights, features, sheet: Sheet { region, samples: shot.antialias } }
+        let features = |look: &Look| Features::of(look.drawn(), !player.meshes.is_empty());
+        for look in &player.looks {
+            self.flat.prepare(gpu, features(look));
+        }
+        let look = &player.looks[0];
+        let sheet = Sheet { region, samples: shot.antialias };
+        Setting { player, look, view, lights, features: features(look), sheet }
     }
 
-    /// Draws one cel over what lies under it; `known` is the ink around in all of the picture, if that is
-    /// known. Answers with the layers it filled and the ink around.
+    /// Draws one cel over what lies under it; `known` tells for each look the ink around in all of the picture, if
+    /// that is known. Answers with the layers it filled and the ink around in each look.
     fn paint_cel(
         &self,
         frame: &mut Frame<'_>,
         setting: &Setting<'_>,
-        (cel, known): (&Cel, Option<(&InkAround, f32)>),
+        (cel, known): (&Cel, Known<'_>),
         opaque: Option<&Layers>,
         under: Under<'_>,
         target: &wgpu::TextureView,
-    ) -> (Layers, InkAround) {
+    ) -> (Layers, Vec<InkAround>) {
         let room = self.room.as_ref().expect("room is made before a cel is painted");
         let (view, lights, pens) = setting.buffers(frame, &cel.members);
         let Player { puffs: scene, meshes, .. } = setting.player;
@@ -179,23 +213,92 @@ impl Painter {
         let filled = (&setting.player.volumes, &*cel.members, setting.view.size);
         let layers = self.fill(frame, subject, room, filled, opaque);
         let shadow = self.shadow(frame, subject, setting, room, &layers);
+        let seen = (&layers, &shadow, opaque);
+        if !setting.player.paints.is_empty() {
+            let arounds = self.reveal(frame, setting, (cel, known), seen, under, target);
+            return (layers, arounds);
+        }
         // Where nothing is averaged or half transparent, tones go straight into the picture.
-        let own = (setting.sheet.samples > 1 || opaque.is_some())
-            .then(|| frame.texture("tone.cel", layers.size, CEL_FORMAT));
-        let canvas = Canvas { view: own.as_deref().unwrap_or(target), is_picture: own.is_none() };
-        if canvas.is_picture {
+        let is_picture = setting.sheet.samples == 1 && opaque.is_none();
+        if is_picture {
             self.compose.lay(frame, under, setting.sheet, target);
         }
-        self.tone(frame, subject, setting, (cel, room), (&layers, &shadow), canvas);
-        let own = own.map(|own| self.veil.record(frame, setting.objects(cel), &layers, own));
-        let ink = self.ink(frame, subject, setting, &cel.members, (&layers, opaque, &room.bins));
-        let around = self.gather.record(frame, &ink, layers.size, setting.ink_length_px(&cel.members));
-        let inked = Inked { ink: &ink, around: &around, known };
-        match own {
-            Some(own) => self.compose.record(frame, subject, (&own, inked), under, setting.sheet, target),
+        let Drawn { tones, ink, around } =
+            self.draw(frame, subject, setting, cel, seen, is_picture.then_some(target));
+        let inked = Inked { ink: &ink, around: &around, known: known(0) };
+        match tones {
+            Some(tones) => self.compose.record(frame, subject, (&tones, inked), under, setting.sheet, target),
             None => self.compose.lines(frame, subject, inked, setting.sheet, target),
         }
-        (layers, around)
+        (layers, vec![around])
+    }
+
+    /// Draws one cel as paint shows it: in every look from the same layers, of which each pixel takes one.
+    fn reveal(
+        &self,
+        frame: &mut Frame<'_>,
+        setting: &Setting<'_>,
+        (cel, known): (&Cel, Known<'_>),
+        seen: Seen<'_>,
+        under: Under<'_>,
+        target: &wgpu::TextureView,
+    ) -> Vec<InkAround> {
+        let (layers, _, _) = seen;
+        let Player { puffs: scene, meshes, paints, looks, .. } = setting.player;
+        let room = self.room.as_ref().expect("room is made before a cel is painted");
+        let mut arounds = Vec::with_capacity(looks.len());
+        let mut revealed: Option<Transient> = None;
+        let mut marks = None;
+        for (number, look) in looks.iter().enumerate() {
+            let setting = setting.in_look(look);
+            let (view, lights, pens) = setting.buffers(frame, &cel.members);
+            let subject = Subject { scene, meshes, view: &view, lights: &lights, pens: &pens };
+            let marks = marks.get_or_insert_with(|| {
+                self.mask.record(frame, paints, subject.view, layers, setting.view.picture_height)
+            });
+            if number > 0 {
+                frame.flush("frame.look");
+                setting.write_styles(frame.gpu, cel);
+                self.binning.record(frame, subject, &room.bins);
+            }
+            let Drawn { tones, ink, around } = self.draw(frame, subject, &setting, cel, seen, None);
+            let tones = tones.expect("what is drawn into no picture has a cel of its own");
+            let inked = Inked { ink: &ink, around: &around, known: known(number) };
+            let from = (layers, &*marks, setting.sheet);
+            let shown = (number, revealed.as_ref());
+            revealed = Some(self.reveal.record(frame, subject, (&tones, inked), from, shown));
+            arounds.push(around);
+        }
+        if let (Some(cel), Some(around)) = (revealed, arounds.last()) {
+            let inked = self.reveal.nothing_inked(frame);
+            let inked = Inked { ink: &inked, around, known: None };
+            let (view, lights, pens) = setting.buffers(frame, &[]);
+            let subject = Subject { scene, meshes, view: &view, lights: &lights, pens: &pens };
+            self.compose.record(frame, subject, (&cel, inked), under, setting.sheet, target);
+        }
+        arounds
+    }
+
+    /// Draws a cel in the setting's look: into `picture`, or onto a cel of its own.
+    fn draw(
+        &self,
+        frame: &mut Frame<'_>,
+        subject: Subject<'_>,
+        setting: &Setting<'_>,
+        cel: &Cel,
+        (layers, shadow, opaque): Seen<'_>,
+        picture: Option<&wgpu::TextureView>,
+    ) -> Drawn {
+        let room = self.room.as_ref().expect("room is made before a cel is painted");
+        let own = picture.is_none().then(|| frame.texture("tone.cel", layers.size, CEL_FORMAT));
+        if let Some(view) = picture.or(own.as_deref()) {
+            let canvas = Canvas { view, is_picture: picture.is_some() };
+            self.tone(frame, subject, setting, (cel, room), (layers, shadow), canvas);
+        }
+        let tones = own.map(|own| self.veil.record(frame, setting.objects(cel), layers, own));
+        let ink = self.ink(frame, subject, setting, &cel.members, (layers, opaque, &room.bins));
+        let around = self.gather.record(frame, &ink, layers.size, setting.ink_length_px(&cel.members));
+        Drawn { tones, ink, around }
     }
 
     /// Fills the layers.
@@ -252,9 +355,9 @@ impl Painter {
         (layers, shadow): (&Layers, &Transient),
         canvas: Canvas<'_>,
     ) {
-        let ramps = &setting.player.ramps;
+        let ramps = &setting.look.ramps;
         if cel.pre_shaded {
-            let sprites = self.sprites.record(frame, subject, ramps, setting.look(cel));
+            let sprites = self.sprites.record(frame, subject, ramps, setting.bytes(cel));
             let shadow = setting.lights.casting().next().map(|_| shadow);
             return self.copied.record(
                 frame,
@@ -310,7 +413,7 @@ impl Painter {
         (members, layers, bins): (&[usize], &Layers, Option<&Bins>),
         ink: &Transient,
     ) {
-        let methods = Methods::of(&setting.player.drawn(), members, setting.view.picture_height);
+        let methods = Methods::of(&setting.drawn(), members, setting.view.picture_height);
         let along_edges = setting.pens(members).iter().any(Pen::follows_edges);
         let lines =
             along_edges.then(|| self.vector.record(frame, subject, &self.compact, (layers, members), ink));

@@ -3,7 +3,7 @@
 
 use fumetto_scene::Object;
 
-use crate::ink::Methods;
+use crate::{Player, ink::Methods, player::Look};
 
 /// Shadows are cleaned over this many times the length that tones are: their specks come of single puffs,
 /// which are larger than the bumps on them.
@@ -29,7 +29,12 @@ pub(crate) fn smooth_px(objects: &[&Object], height_px: u32) -> Option<f32> {
 
 /// How far from a pixel of a picture `height_px` samples high anything may lie that it depends on, in samples;
 /// the lengths of lines aside, which only a survey tells.
-pub(crate) fn reach_px(objects: &[&Object], height_px: u32) -> f32 {
+pub(crate) fn reach_px(player: &Player, height_px: u32) -> f32 {
+    let reach = |look: &Look| look_reach_px(&look.drawn().iter().collect::<Vec<_>>(), height_px);
+    player.looks.iter().map(reach).fold(0.0, f32::max)
+}
+
+fn look_reach_px(objects: &[&Object], height_px: u32) -> f32 {
     let members: Vec<usize> = (0..objects.len()).collect();
     let methods = Methods::of(objects, &members, height_px);
     // A flood jumps up to twice as far as it reaches; a line asks what hides its middle.

@@ -37,6 +37,7 @@ mod lengths;
 mod light;
 mod morph;
 mod object;
+mod paint;
 mod particles;
 mod player;
 mod print;

@@ -48,7 +48,7 @@ impl Engine {
     pub fn print(&mut self, player: &Player, shot: &Shot, tiling: Tiling) -> Result<Print, Error> {
         let samples = shot.samples();
         let allowed = self.gpu().device.limits().max_texture_dimension_2d;
-        let reach_px = reach_px(&player.drawn(), samples[1]);
+        let reach_px = reach_px(player, samples[1]);
         let tiles = Tiles::new(tiling, samples, reach_px, allowed).ok_or_else(|| {
             let ([width, height], antialias) = (shot.size, shot.antialias);
             Error::Margins { width, height, antialias, margin: reach_px.ceil() as u32, allowed }

@@ -10,19 +10,33 @@ use crate::{
     lengths::{clean_px, smooth_px},
     light::LightsUniform,
     object::ObjectStyle,
+    player::Look,
     tone::{Features, HatchStyle, Sheet, Sheeted},
 };
 
 /// What all cels of one picture share.
+#[derive(Clone, Copy)]
 pub(crate) struct Setting<'a> {
     pub(crate) player: &'a Player,
+    /// How objects are drawn.
+    pub(crate) look: &'a Look,
     pub(crate) view: View,
     pub(crate) lights: LightsUniform,
     pub(crate) features: Features,
     pub(crate) sheet: Sheet,
 }
 
-impl Setting<'_> {
+impl<'a> Setting<'a> {
+    /// The same, with objects drawn in another look.
+    pub(crate) fn in_look(&self, look: &'a Look) -> Self {
+        Self { look, features: Features::of(look.drawn(), !self.player.meshes.is_empty()), ..*self }
+    }
+
+    /// The scene's objects, then the layers of detail in them.
+    pub(crate) fn drawn(&self) -> Vec<&'a Object> {
+        self.look.drawn().iter().collect()
+    }
+
     /// The view, the lights and the pens as shaders take them.
     pub(crate) fn buffers(
         &self,
@@ -38,7 +52,7 @@ impl Setting<'_> {
 
     /// The pens that draw the cel of the objects that `members` numbers.
     pub(crate) fn pens(&self, members: &[usize]) -> [Pen; MAX_PENS] {
-        Pen::of_all(&self.player.drawn(), &self.player.details.with(members), self.view.picture_height)
+        Pen::of_all(&self.drawn(), &self.player.details.with(members), self.view.picture_height)
     }
 
     /// The objects of a cel.
@@ -52,11 +66,11 @@ impl Setting<'_> {
             let in_cel = cel.members.contains(&(index as usize));
             ObjectStyle::new(object, index, self.view.picture_height, in_cel)
         };
-        (0..).zip(self.player.drawn()).map(style).collect()
+        (0..).zip(self.drawn()).map(style).collect()
     }
 
     /// All uniforms of a cel in a row, to tell whether anything has changed.
-    pub(crate) fn look(&self, cel: &Cel) -> Vec<u8> {
+    pub(crate) fn bytes(&self, cel: &Cel) -> Vec<u8> {
         let (view, lights) = (bytemuck::bytes_of(&self.view.uniform), bytemuck::bytes_of(&self.lights));
         [view, lights, bytemuck::cast_slice(&self.styles(cel))].concat()
     }
@@ -77,19 +91,19 @@ impl Setting<'_> {
 
     /// Least size of a tone's shape, in samples.
     pub(crate) fn clean_px(&self) -> f32 {
-        clean_px(&self.player.drawn(), self.view.picture_height)
+        clean_px(&self.drawn(), self.view.picture_height)
     }
 
     /// How all objects are hatched, where any is.
     pub(crate) fn strokes(&self, frame: &Frame<'_>) -> Option<wgpu::Buffer> {
         let sheet = Sheeted { height_px: self.view.picture_height, samples: self.sheet.samples };
-        let styles = HatchStyle::list(self.player.scene(), sheet);
+        let styles = HatchStyle::list(self.player.scene(), self.look.drawn(), sheet);
         styles.map(|styles| frame.uniform("frame.strokes", &styles))
     }
 
     /// Samples over which the form is smoothed for strokes, where there are any.
     pub(crate) fn smooth_px(&self) -> Option<f32> {
-        smooth_px(&self.player.drawn(), self.view.picture_height)
+        smooth_px(&self.drawn(), self.view.picture_height)
     }
 
     /// Tells shaders how each object is drawn in a cel.

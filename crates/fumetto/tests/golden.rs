@@ -187,6 +187,26 @@ fn puff_fuzzy_looks_as_it_did() {
 }
 
 #[test]
+fn paint_looks_as_it_did() {
+    check("paint", 90);
+}
+
+#[test]
+fn paint_wash_looks_as_it_did() {
+    check("paint-wash", 143);
+}
+
+#[test]
+fn paint_pour_looks_as_it_did() {
+    check("paint-pour", 120);
+}
+
+#[test]
+fn day_night_looks_as_it_did() {
+    check("day-night", 84);
+}
+
+#[test]
 fn the_comparison_tells_pictures_apart() {
     let image = |grey: u8, odd: usize| {
         let mut pixels = vec![grey; 4 * 1000];

@@ -73,7 +73,7 @@ fn check_files(opened: &Opened) -> Vec<String> {
                     note(format!("the volume of `{}`", object.name), result);
                 }
             }
-            Matter::Still(_) | Matter::Smoke(_) => {}
+            Matter::Still(_) | Matter::Smoke(_) | Matter::Paint(_) => {}
         }
     }
     for (ramp, objects) in ramps(scene) {
@@ -138,11 +138,17 @@ fn check(
 /// Every ramp picture once, and the objects that are drawn with it.
 fn ramps(scene: &Scene) -> Vec<(&str, String)> {
     let mut ramps: Vec<(&str, String)> = Vec::new();
-    for object in &scene.objects {
-        if let Ramp::Image(RampImage { path, .. }) = &object.style.ramp {
+    for (index, object) in scene.objects.iter().enumerate() {
+        let paths = scene.styles_of(index).filter_map(|style| match &style.ramp {
+            Ramp::Image(RampImage { path, .. }) => Some(path),
+            Ramp::Tones(_) | Ramp::Gooch(_) => None,
+        });
+        let name = format!("`{}`", object.name);
+        for path in paths {
             match ramps.iter_mut().find(|(known, _)| known == path) {
-                Some((_, objects)) => *objects += &format!(", `{}`", object.name),
-                None => ramps.push((path, format!("`{}`", object.name))),
+                Some((_, objects)) if objects.ends_with(&name) => {}
+                Some((_, objects)) => *objects += &format!(", {name}"),
+                None => ramps.push((path, name.clone())),
             }
         }
     }

@@ -11,6 +11,7 @@ mod ink;
 mod mesh;
 mod morph;
 mod object;
+mod paint;
 mod ramp;
 mod scene;
 mod shape;

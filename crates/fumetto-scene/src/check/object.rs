@@ -3,6 +3,7 @@ use super::{
     imported::{check_shape, imported},
     mesh::mesh,
     morph::{given, metamorphosis},
+    paint::paint,
     shape::{details, shape},
     smoke::smoke,
     volume,
@@ -33,7 +34,7 @@ pub(super) fn object(
     let object = Object {
         name: file.name.clone(),
         visible: file.visible,
-        matter: matter(at, file),
+        matter: matter(at, file, step_secs),
         details: details(&at_shape, shape_file, &shape, &style),
         shape,
         style,
@@ -61,7 +62,8 @@ pub(super) fn object(
 }
 
 /// Keys that only some kinds have, with those kinds.
-const KEYS: [(&str, &[ObjectKind]); 12] = [
+const KEYS: [(&str, &[ObjectKind]); 23] = [
+    ("opacity", &[ObjectKind::Smoke, ObjectKind::Cloud, ObjectKind::Mesh, ObjectKind::Volume]),
     ("particles", &[ObjectKind::Cloud]),
     ("morph", &[ObjectKind::Cloud]),
     ("emitter", &[ObjectKind::Smoke]),
@@ -74,9 +76,19 @@ const KEYS: [(&str, &[ObjectKind]); 12] = [
     ("up", &[ObjectKind::Mesh, ObjectKind::Volume]),
     ("smooth", &[ObjectKind::Mesh]),
     ("transform", &[ObjectKind::Mesh, ObjectKind::Volume]),
+    ("drop", &[ObjectKind::Paint]),
+    ("stroke", &[ObjectKind::Paint]),
+    ("pour", &[ObjectKind::Paint]),
+    ("cells", &[ObjectKind::Paint]),
+    ("spread", &[ObjectKind::Paint]),
+    ("keep", &[ObjectKind::Paint]),
+    ("wash", &[ObjectKind::Paint]),
+    ("border", &[ObjectKind::Paint]),
+    ("inside", &[ObjectKind::Paint]),
+    ("outside", &[ObjectKind::Paint]),
 ];
 
-fn matter(at: &At<'_>, file: &ObjectFile) -> Matter {
+fn matter(at: &At<'_>, file: &ObjectFile, step_secs: f64) -> Matter {
     for (key, kinds) in KEYS {
         let at = at.key(key);
         if at.exists() && !kinds.contains(&file.kind) {
@@ -90,6 +102,7 @@ fn matter(at: &At<'_>, file: &ObjectFile) -> Matter {
         ObjectKind::Smoke => Matter::Smoke(smoke(at, file)),
         ObjectKind::Mesh => Matter::Mesh(mesh(at, file)),
         ObjectKind::Volume => Matter::Imported(Box::new(imported(at, file))),
+        ObjectKind::Paint => Matter::Paint(paint(at, file, step_secs)),
     }
 }
 
@@ -99,6 +112,7 @@ fn kind_name(kind: ObjectKind) -> &'static str {
         ObjectKind::Cloud => "cloud",
         ObjectKind::Mesh => "mesh",
         ObjectKind::Volume => "volume",
+        ObjectKind::Paint => "paint",
     }
 }
 

@@ -1,7 +1,11 @@
 use std::collections::HashSet;
 
 use super::values::{colour, cross, direction, length, unit};
-use super::{At, Styles, object::object};
+use super::{
+    At, Styles,
+    object::object,
+    paint::{enough_room, looks},
+};
 use crate::file::{BackgroundFile, CameraFile, LightFile, SceneFile, TimeFile};
 use crate::limits::{MAX_LIGHTS, MAX_OBJECTS, MIN_DIRECTION, MIN_UP_SINE};
 use crate::{Background, Camera, Light, LightKind, Object, Output, Scene, Time};
@@ -11,9 +15,11 @@ pub(crate) fn scene(at: &At<'_>, file: &SceneFile, styles: &mut Styles<'_>) -> S
     let style = styles.scene_style(&at.key("style"), &file.style);
     let time = time(&at.key("time"), &file.time);
     let objects = file.object.iter().enumerate().take(MAX_OBJECTS);
-    let objects: Vec<Object> = objects
+    let mut objects: Vec<Object> = objects
         .map(|(i, one)| object(&at.key("object").item(i), one, &style, time.step_secs(), styles))
         .collect();
+    looks(&at.key("object"), &file.object, &mut objects, styles);
+    enough_room(&at.key("object"), &objects);
     let names = file.object.iter().map(|object| object.name.as_str());
     unique_names(&at.key("object"), names, "object");
     at_most(

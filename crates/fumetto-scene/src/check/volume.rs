@@ -74,7 +74,7 @@ pub(super) fn room(at: &At<'_>, volume: &Volume, matter: &Matter) {
     let room = match matter {
         Matter::Still(particles) => volume.room(particles),
         Matter::Smoke(_) | Matter::Morph(_) => volume.moving_room(),
-        Matter::File(_) | Matter::Mesh(_) | Matter::Imported(_) => return,
+        Matter::File(_) | Matter::Mesh(_) | Matter::Imported(_) | Matter::Paint(_) => return,
     };
     if !room.fits() {
         let [x, y, z] = room.cells;

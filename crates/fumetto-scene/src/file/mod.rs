@@ -9,6 +9,7 @@ mod ink;
 mod mesh;
 mod morph;
 mod object;
+mod paint;
 mod scene;
 mod smoke;
 mod style;
@@ -24,6 +25,10 @@ pub use ink::{CreaseFile, HiddenLinesFile, InkFile, InkMethodFile, PenFile, Widt
 pub use mesh::{ScaleFile, TransformFile, UpFile};
 pub use morph::{EaseFile, MorphFile};
 pub use object::{ObjectFile, ObjectKind, ParticleFile, ParticlesFile, PuffsFile, ShapeFile};
+pub use paint::{
+    BorderFile, BoxFile, CellsFile, DropFile, GrowthFile, LookFile, PourFile, SpreadFile, StrokeFile,
+    WashFile, WashModeFile,
+};
 pub use scene::{BackgroundFile, CameraFile, LightFile, OutputFile, SceneFile, TimeFile};
 pub use smoke::{BurstFile, EmitterFile, EmitterShapeFile, ForceFile};
 pub use style::{PixelsFile, ShadingFile, ShadowFile, StyleFile};

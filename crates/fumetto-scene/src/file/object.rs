@@ -2,8 +2,9 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{
-    EmitterFile, ForceFile, ImportedFile, MorphFile, OneOrMany, SolverFile, StyleFile, SurfaceFile,
-    TransformFile, UpFile, VolumeFile, VortexFile,
+    BorderFile, BoxFile, CellsFile, DropFile, EmitterFile, ForceFile, ImportedFile, LookFile, MorphFile,
+    OneOrMany, PourFile, SolverFile, SpreadFile, StrokeFile, StyleFile, SurfaceFile, TransformFile, UpFile,
+    VolumeFile, VortexFile, WashFile,
 };
 use crate::limits;
 
@@ -50,6 +51,27 @@ pub struct ObjectFile {
     /// Where the model of a `kind = "mesh"` stands: one table, or several `[[object.transform]]` for
     /// several copies. The volume of a `kind = "volume"` has one.
     pub transform: Option<OneOrMany<TransformFile>>,
+    /// Drops of a `kind = "paint"`: one table, or several `[[object.drop]]`.
+    pub drop: Option<OneOrMany<DropFile>>,
+    /// Strokes of a brush of a `kind = "paint"`: one table, or several `[[object.stroke]]`.
+    pub stroke: Option<OneOrMany<StrokeFile>>,
+    /// Paint that is poured into the `cells` of a `kind = "paint"`: one table, or several `[[object.pour]]`.
+    pub pour: Option<OneOrMany<PourFile>>,
+    /// The grid that poured paint of a `kind = "paint"` runs in.
+    pub cells: Option<CellsFile>,
+    /// How paint of a `kind = "paint"` spreads.
+    pub spread: Option<SpreadFile>,
+    /// Paint of a `kind = "paint"` stays in this box.
+    pub keep: Option<BoxFile>,
+    /// What a `kind = "paint"` lays over what it covers, step by step.
+    pub wash: Option<WashFile>,
+    /// A line along the edge of a `kind = "paint"`.
+    pub border: Option<BorderFile>,
+    /// How a `kind = "paint"` draws what it covers: "own" (the default), "monochrome", or a table of style keys.
+    pub inside: Option<LookFile>,
+    /// How what no paint covers is drawn: "monochrome" (the default where there is a `kind = "paint"`), "own",
+    /// or a table of style keys. Only one paint may say.
+    pub outside: Option<LookFile>,
     /// How matter gets a shape. Default: puffs, and for a `kind = "volume"` a volume.
     pub shape: Option<ShapeFile>,
     /// How it is drawn: the scene's style with these changes.
@@ -76,6 +98,8 @@ pub enum ObjectKind {
     Mesh,
     /// A volume that another program made.
     Volume,
+    /// Paint that spreads over all else, and changes how that is drawn.
+    Paint,
 }
 
 /// Particles that are given.

@@ -76,7 +76,7 @@ impl Object {
                 counts.sum()
             }
             Matter::File(_) => None,
-            Matter::Mesh(_) | Matter::Imported(_) => Some(0),
+            Matter::Mesh(_) | Matter::Imported(_) | Matter::Paint(_) => Some(0),
             Matter::Smoke(smoke) => {
                 let capacities = smoke.emitters.iter().map(|emitter| emitter.capacity(step_secs));
                 Some(capacities.fold(0, u64::saturating_add))
@@ -91,9 +91,12 @@ impl Object {
     pub fn vortices(&self, step_secs: f64) -> u64 {
         match &self.matter {
             Matter::Smoke(smoke) => smoke.vortices(step_secs),
-            Matter::Still(_) | Matter::File(_) | Matter::Morph(_) | Matter::Mesh(_) | Matter::Imported(_) => {
-                0
-            }
+            Matter::Still(_)
+            | Matter::File(_)
+            | Matter::Morph(_)
+            | Matter::Mesh(_)
+            | Matter::Imported(_)
+            | Matter::Paint(_) => 0,
         }
     }
 
@@ -105,7 +108,7 @@ impl Object {
                 let sets: Option<Vec<_>> = morph.all().map(crate::Given::listed).collect();
                 sets.map(|sets| surface.plan_morph(&sets).room)
             }
-            Matter::File(_) | Matter::Mesh(_) | Matter::Imported(_) => None,
+            Matter::File(_) | Matter::Mesh(_) | Matter::Imported(_) | Matter::Paint(_) => None,
         }
     }
 
@@ -114,7 +117,7 @@ impl Object {
         match &self.matter {
             Matter::Still(particles) => Some(volume.room(particles)),
             Matter::Smoke(_) | Matter::Morph(_) => Some(volume.moving_room()),
-            Matter::File(_) | Matter::Mesh(_) | Matter::Imported(_) => None,
+            Matter::File(_) | Matter::Mesh(_) | Matter::Imported(_) | Matter::Paint(_) => None,
         }
     }
 }

@@ -1,4 +1,4 @@
-use crate::{Detail, Imported, Mesh, Metamorphosis, Particle, Shape, Smoke, Style};
+use crate::{Detail, Imported, Mesh, Metamorphosis, Paint, Particle, Shape, Smoke, Style};
 
 /// A thing in the scene: matter, its shape, and how it is drawn.
 #[derive(Clone, Debug, PartialEq)]
@@ -34,4 +34,6 @@ pub enum Matter {
     Mesh(Mesh),
     /// A volume in a file.
     Imported(Box<Imported>),
+    /// Volumes that change how all else is drawn.
+    Paint(Paint),
 }

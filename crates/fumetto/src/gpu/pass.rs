@@ -55,6 +55,13 @@ impl<'a> Frame<'a> {
         self.gpu.queue.submit([self.encoder.finish()]);
     }
 
+    /// Hands what was recorded to the queue and begins anew: what is written into buffers between two frames comes
+    /// between them.
+    pub(crate) fn flush(&mut self, label: &str) {
+        let next = Self::new(self.gpu, self.pool, label);
+        std::mem::replace(self, next).submit();
+    }
+
     /// A uniform buffer that lives for this frame.
     pub(crate) fn uniform<T: bytemuck::Pod>(&self, label: &str, value: &T) -> wgpu::Buffer {
         self.gpu.device.create_buffer_init(&wgpu::util::BufferInitDescriptor {

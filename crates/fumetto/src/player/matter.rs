@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use fumetto_formats::{Model, ModelOptions, is_sequence, sequence_path};
-use fumetto_scene::{Given, Matter, Mesh, Object, Particle, Scene, Style};
+use fumetto_scene::{Given, Matter, Mesh, Object, Particle, Scene};
 
 use crate::{
     Assets, Error,
@@ -34,6 +34,8 @@ pub(crate) enum PlayedMatter {
     Model(Box<PlayedModel>),
     /// A volume out of a file.
     Imported(Box<PlayedVolume>),
+    /// It is played with all other paint.
+    Paint,
 }
 
 /// A model with its copies, and which parts of the scene's geometry they are.
@@ -49,7 +51,7 @@ impl PlayedMatter {
             Self::Still(particles) | Self::Sequence(_, particles) => particles.len() as u64,
             Self::Morph(tracks) => tracks.slots() as u64,
             Self::Smoke(plume) => plume.emissions.iter().map(|emission| u64::from(emission.capacity())).sum(),
-            Self::Model(_) => 0,
+            Self::Model(_) | Self::Paint => 0,
             Self::Imported(_) => MAX_LOBES.into(),
         }
     }
@@ -63,9 +65,10 @@ pub(super) fn seed_of(scene: &Scene, index: u32) -> u32 {
     scene.seed.wrapping_mul(0x85eb_ca6b).wrapping_add(index.wrapping_mul(0xc2b2_ae35))
 }
 
+/// `scales` of relief are exaggerated.
 pub(super) fn play_mesh(
     mesh: &Mesh,
-    style: &Style,
+    scales: u32,
     assets: &dyn Assets,
     geometry: &mut Geometry,
     notes: &mut Vec<String>,
@@ -73,8 +76,8 @@ pub(super) fn play_mesh(
     let model = load_model(assets, &mesh.model, ModelOptions { smooth_degrees: mesh.smooth_deg })?;
     notes.extend(model.notes.iter().cloned());
     let parts = geometry.add(mesh, &model);
-    if style.exaggerate.amount > 0.0 {
-        geometry.smooth(&parts, style.exaggerate.scales);
+    if scales > 0 {
+        geometry.smooth(&parts, scales);
     }
     Ok(PlayedMatter::Model(Box::new(PlayedModel { mesh: mesh.clone(), model, parts })))
 }
@@ -123,6 +126,7 @@ pub(super) fn play_matter(
             let volume = PlayedVolume::new(gpu, assets, imported, first_frame, detail, notes)?;
             PlayedMatter::Imported(Box::new(volume))
         }
+        Matter::Paint(_) => PlayedMatter::Paint,
         Matter::Mesh(_) => unreachable!("models are played with the scene's geometry"),
     })
 }

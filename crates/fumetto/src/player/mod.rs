@@ -3,22 +3,25 @@
 mod imported;
 mod looks;
 mod matter;
+mod paints;
 mod puffs;
 mod surfaces;
 mod volumes;
 
 pub use imported::{ImportedSize, imported_size};
 pub(crate) use imported::{load as load_imported, path as imported_path};
+pub(crate) use looks::Look;
 pub(crate) use matter::{PlayedMatter, PlayedModel, PlayedObject};
 
 use fumetto_formats::sequence_path;
-use fumetto_scene::{InkMethod, Matter, Object, Particle, Scene, Shape};
+use fumetto_scene::{Matter, Object, Particle, Scene, Shape};
 
 use crate::{
     Assets, Error,
     assets::load_particles,
     details::{Details, Layer},
     gpu::Gpu,
+    paint::PaintScene,
     particles::Plume,
     shapes::{
         mesh::{Geometry, MeshScene, Shells, candidates},
@@ -26,10 +29,11 @@ use crate::{
         surface::SurfaceScene,
         volume::VolumeScene,
     },
-    tone::{Backdrop, Ramps},
+    tone::Backdrop,
 };
-use looks::{crease_degs, load_backdrop, load_ramps};
+use looks::{crease_degs, exaggerated_scales, load_backdrop, wants_shell};
 use matter::{note_on_nothing, play_matter, play_mesh, seed_of};
+use paints::notes_on_paint;
 use puffs::{atlas, check_room, place, variants_of};
 use surfaces::{add_surface, surfaces};
 use volumes::volumes;
@@ -45,7 +49,9 @@ pub struct Player {
     pub(crate) details: Details,
     pub(crate) volumes: VolumeScene,
     pub(crate) geometry: Geometry,
-    pub(crate) ramps: Ramps,
+    pub(crate) paints: PaintScene,
+    /// The first is the scene's own; the others are those of paints.
+    pub(crate) looks: Vec<Look>,
     pub(crate) backdrop: Backdrop,
     /// Steps of the simulation done so far.
     pub(crate) steps: u64,
@@ -64,7 +70,10 @@ impl Player {
         let mut geometry = Geometry::default();
         for (index, object) in (0..).zip(&scene.objects) {
             let matter = match &object.matter {
-                Matter::Mesh(mesh) => play_mesh(mesh, &object.style, &*assets, &mut geometry, &mut notes)?,
+                Matter::Mesh(mesh) => {
+                    let scales = exaggerated_scales(&scene, index as usize);
+                    play_mesh(mesh, scales, &*assets, &mut geometry, &mut notes)?
+                }
                 _ => play_matter(gpu, &scene, object, index, &*assets, first_frame, &mut notes)?,
             };
             notes.extend(note_on_nothing(object, &matter));
@@ -92,7 +101,7 @@ impl Player {
             add_surface(&mut geometry, &scene, object, (&detail.surface, &detail.ink), matter);
         }
         for (index, object) in scene.objects.iter().enumerate() {
-            if matches!(object.matter, Matter::Mesh(_)) && object.style.ink.method == InkMethod::Shell {
+            if matches!(object.matter, Matter::Mesh(_)) && wants_shell(&scene, index) {
                 geometry.find_pushes(index);
             }
         }
@@ -104,7 +113,9 @@ impl Player {
             |object: u32| scene.objects.get(object as usize).is_some_and(|object| scene.casts(object));
         let shells = Shells::new(&geometry, casts);
         let meshes = MeshScene::new(gpu, &geometry, &shells, &candidates(&geometry, &crease_degs(&scene)))?;
-        let ramps = load_ramps(gpu, &scene, &*assets)?;
+        let paints = PaintScene::new(gpu, &scene, &geometry, |index| seed_of(&scene, index as u32));
+        notes.extend(notes_on_paint(&scene, &objects, &geometry, &paints));
+        let looks = Look::all(gpu, &scene, &details, &*assets)?;
         let backdrop = load_backdrop(gpu, &scene, &*assets)?;
         let (steps, shown) = (0, None);
         Ok(Self {
@@ -117,7 +128,8 @@ impl Player {
             details,
             volumes,
             geometry,
-            ramps,
+            paints,
+            looks,
             backdrop,
             steps,
             shown,
@@ -134,11 +146,6 @@ impl Player {
     /// Where the files that the scene names come from.
     pub(crate) fn assets(&self) -> &dyn Assets {
         &*self.assets
-    }
-
-    /// The scene's objects, then the layers of detail in them.
-    pub(crate) fn drawn(&self) -> Vec<&Object> {
-        self.scene.objects.iter().chain(self.details.objects()).collect()
     }
 
     /// Things to tell the user about the files that were read.
@@ -161,7 +168,8 @@ impl Player {
             | PlayedMatter::Sequence(..)
             | PlayedMatter::Morph(_)
             | PlayedMatter::Model(_)
-            | PlayedMatter::Imported(_) => None,
+            | PlayedMatter::Imported(_)
+            | PlayedMatter::Paint => None,
         })
     }
 
@@ -176,7 +184,10 @@ impl Player {
         };
         let stands = |object: &PlayedObject| match &object.matter {
             PlayedMatter::Still(_) => !drifts(&self.scene.objects[object.placement.object as usize]),
-            PlayedMatter::Sequence(..) | PlayedMatter::Morph(_) | PlayedMatter::Smoke(_) => false,
+            PlayedMatter::Sequence(..)
+            | PlayedMatter::Morph(_)
+            | PlayedMatter::Smoke(_)
+            | PlayedMatter::Paint => false,
             PlayedMatter::Model(played) => !played.model.is_animated(),
             PlayedMatter::Imported(volume) => !volume.is_sequence(),
         };
@@ -248,7 +259,10 @@ impl Player {
                 PlayedMatter::Sequence(_, particles) => self.upload(gpu, object, particles),
                 PlayedMatter::Morph(tracks) => self.upload(gpu, object, &tracks.at(self.secs(frame))),
                 PlayedMatter::Imported(volume) => self.upload(gpu, object, &volume.lobes),
-                PlayedMatter::Still(_) | PlayedMatter::Smoke(_) | PlayedMatter::Model(_) => {}
+                PlayedMatter::Still(_)
+                | PlayedMatter::Smoke(_)
+                | PlayedMatter::Model(_)
+                | PlayedMatter::Paint => {}
             }
         }
     }

@@ -1,6 +1,6 @@
 //! Room for the particles of all objects, and how these look as puffs.
 
-use fumetto_scene::{Matter, Object, Puffs, Scene, Shape};
+use fumetto_scene::{Matter, Puffs, Scene, Shape};
 
 use super::PlayedObject;
 use crate::{
@@ -25,7 +25,8 @@ pub(super) fn atlas(gpu: &Gpu, scene: &Scene) -> Result<(Vec<u32>, Atlas), Error
     let mut kinds: Vec<Puffs> = Vec::new();
     let mut firsts = Vec::with_capacity(scene.objects.len());
     for object in &scene.objects {
-        let (Shape::Puffs(puffs), false) = (&object.shape, matches!(object.matter, Matter::Mesh(_))) else {
+        let is_thing = matches!(object.matter, Matter::Mesh(_) | Matter::Paint(_));
+        let (Shape::Puffs(puffs), false) = (&object.shape, is_thing) else {
             firsts.push(0);
             continue;
         };
@@ -63,17 +64,17 @@ pub(super) fn place(
     }
     let mut first = 0;
     let mut ranges = Vec::with_capacity(objects.len());
-    for (played, object) in objects.iter_mut().zip(&scene.objects) {
+    for (index, (played, object)) in objects.iter_mut().zip(&scene.objects).enumerate() {
         played.placement.first = first;
         let range = first..first + played.capacity;
         first = range.end;
-        ranges.push(PuffObject { range, wants_form: object.visible && wants_form(object) });
+        ranges.push(PuffObject { range, wants_form: object.visible && wants_form(scene, index) });
     }
     Ok(PuffScene::new(gpu, atlas, ranges, size_of::<ObjectStyle>() as u64))
 }
 
 /// Normals of puffs and volumes bend toward the form, and relief is what stands out from it.
-fn wants_form(object: &Object) -> bool {
-    let bends = object.style.form > 0.0 && object.shape.surface().is_none();
-    bends || object.style.exaggerate.amount > 0.0
+fn wants_form(scene: &Scene, index: usize) -> bool {
+    let is_surface = scene.objects[index].shape.surface().is_some();
+    scene.styles_of(index).any(|style| (style.form > 0.0 && !is_surface) || style.exaggerate.amount > 0.0)
 }

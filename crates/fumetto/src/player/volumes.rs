@@ -22,7 +22,7 @@ pub(super) fn volumes(gpu: &Gpu, scene: &Scene, objects: &[PlayedObject]) -> Res
                 (Source::Puffs(volume.moving_room()), true)
             }
             PlayedMatter::Imported(volume) => (Source::File(volume.field.clone()), false),
-            PlayedMatter::Model(_) => continue,
+            PlayedMatter::Model(_) | PlayedMatter::Paint => continue,
         };
         let first = played.placement.first;
         let volume = VolumeObject {

@@ -45,13 +45,15 @@ pub(crate) struct Sheet {
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Under<'a> {
     Backdrop(&'a Backdrop),
+    /// The same in shades of grey.
+    GreyBackdrop(&'a Backdrop),
     /// The picture so far, as large as what is drawn.
     Picture(&'a wgpu::TextureView),
 }
 
 #[repr(C)]
 #[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
-struct ComposeUniform {
+pub(super) struct ComposeUniform {
     samples: u32,
     under: u32,
     cell: f32,
@@ -60,24 +62,25 @@ struct ComposeUniform {
     laid_px: [f32; 2],
     first_px: [f32; 2],
     around_cell: f32,
-    pad: u32,
+    is_grey: u32,
 }
 
 impl ComposeUniform {
-    fn new(Sheet { region, samples }: Sheet, under: Under<'_>) -> Self {
+    pub(super) fn new(Sheet { region, samples }: Sheet, under: Under<'_>) -> Self {
         let pixels = |side: [u32; 2]| side.map(|side| (side / samples) as f32);
         let (size_px, laid_px) = match under {
-            Under::Backdrop(_) => (pixels(region.picture), pixels(region.first)),
+            Under::Backdrop(_) | Under::GreyBackdrop(_) => (pixels(region.picture), pixels(region.first)),
             Under::Picture(_) => (pixels(region.size), [0.0; 2]),
         };
         let first_px = region.first.map(|side| side as f32);
         let mode = under.image().map_or(0, |(mode, _)| mode);
         let (cell, window, around_cell) = (1.0, 1.0, 1.0);
-        Self { samples, under: mode, cell, window, size_px, laid_px, first_px, around_cell, pad: 0 }
+        let is_grey = u32::from(matches!(under, Under::GreyBackdrop(_)));
+        Self { samples, under: mode, cell, window, size_px, laid_px, first_px, around_cell, is_grey }
     }
 
     /// Of what is drawn alone, if nothing is known of the rest.
-    fn inked(self, Inked { around, known, .. }: Inked<'_>) -> Self {
+    pub(super) fn inked(self, Inked { around, known, .. }: Inked<'_>) -> Self {
         let cell = around.cell as f32;
         match known {
             Some((_, around_cell)) => {
@@ -92,7 +95,7 @@ impl ComposeUniform {
 
 impl<'a> Inked<'a> {
     /// How much ink there is around.
-    fn around(&self) -> &'a Transient {
+    pub(super) fn around(&self) -> &'a Transient {
         &self.known.map_or(self.around, |(known, _)| known).layer
     }
 }
@@ -202,12 +205,14 @@ impl Compose {
 impl<'a> Under<'a> {
     /// The image to lay, if any, and how: 1 stretched over the picture, 2 scaled to cover it.
     fn image(self) -> Option<(u32, &'a wgpu::TextureView)> {
-        match self {
-            Self::Backdrop(Backdrop::Transparent) => None,
-            Self::Backdrop(Backdrop::Colour(_, image) | Backdrop::Gradient(image)) | Self::Picture(image) => {
-                Some((1, image))
-            }
-            Self::Backdrop(Backdrop::Image(image)) => Some((2, image)),
+        let backdrop = match self {
+            Self::Backdrop(backdrop) | Self::GreyBackdrop(backdrop) => backdrop,
+            Self::Picture(image) => return Some((1, image)),
+        };
+        match backdrop {
+            Backdrop::Transparent => None,
+            Backdrop::Colour(_, image) | Backdrop::Gradient(image) => Some((1, image)),
+            Backdrop::Image(image) => Some((2, image)),
         }
     }
 }
@@ -217,5 +222,5 @@ mod tests {
     use super::*;
     use crate::gpu::layout_test;
 
-    layout_test!(lies_as_its_twin: ComposeUniform, "Compose" of "tone/compose" { samples, under, cell, window, size_px, laid_px, first_px, around_cell });
+    layout_test!(lies_as_its_twin: ComposeUniform, "Compose" of "tone/compose" { samples, under, cell, window, size_px, laid_px, first_px, around_cell, is_grey });
 }

@@ -17,7 +17,10 @@ fn drawn_at(at: vec2i) -> vec4f {
 @fragment
 fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let first = vec2i(position.xy) * compose.samples;
-    let below = under_at(position.xy);
+    var below = under_at(position.xy);
+    if compose.is_grey != 0u {
+        below = vec4f(monochrome(below.rgb), below.a);
+    }
     var sum = vec4f(0.0);
     for (var y = 0; y < compose.samples; y++) {
         for (var x = 0; x < compose.samples; x++) {

@@ -15,4 +15,6 @@ struct Compose {
     first_px: vec2f,
     // Pixels along a cell of the layer that tells how much ink is around.
     around_cell: f32,
+    // Whether what lies under it is shown in shades of grey.
+    is_grey: u32,
 }

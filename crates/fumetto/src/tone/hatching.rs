@@ -58,12 +58,12 @@ pub(crate) struct Sheeted {
 pub(crate) type HatchStyles = [HatchStyle; MAX_OBJECTS];
 
 impl HatchStyle {
-    /// Of all of a scene's objects; `None` where there is nothing to hatch.
-    pub(crate) fn list(scene: &Scene, sheet: Sheeted) -> Option<HatchStyles> {
-        scene.objects.iter().any(is_hatched).then(|| {
+    /// Of all of a scene's objects as they are `drawn`; `None` where there is nothing to hatch.
+    pub(crate) fn list(scene: &Scene, drawn: &[Object], sheet: Sheeted) -> Option<HatchStyles> {
+        drawn.iter().any(is_hatched).then(|| {
             let from = From::of(scene);
             let mut list: HatchStyles = bytemuck::Zeroable::zeroed();
-            for (index, (slot, object)) in list.iter_mut().zip(&scene.objects).enumerate() {
+            for (index, (slot, object)) in list.iter_mut().zip(drawn).enumerate() {
                 if is_hatched(object) {
                     *slot = Self::new(object, from, sheet);
                     slot.seed = scene.seed.wrapping_mul(0x9e37_79b9).wrapping_add(index as u32);

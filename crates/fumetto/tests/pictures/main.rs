@@ -17,6 +17,7 @@ mod meshes;
 mod models;
 mod multiresolution;
 mod occlusion;
+mod paint;
 mod relief;
 mod shadings;
 mod shadows;

@@ -110,7 +110,7 @@ fn holds(object: &Object, what: What) -> bool {
     let is_model = matches!(object.matter, Matter::Mesh(_));
     match what {
         What::Meshes => is_model || object.shape.surface().is_some(),
-        What::Particles => !is_model && !matches!(object.matter, Matter::Imported(_)),
+        What::Particles => !is_model && !matches!(object.matter, Matter::Imported(_) | Matter::Paint(_)),
         What::Volumes => !is_model && object.shape.volume().is_some(),
         What::Sprites => false,
     }

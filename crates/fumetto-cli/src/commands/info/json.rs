@@ -41,6 +41,7 @@ fn object_json(object: &Object, load: &Load) -> Value {
         Matter::Morph(_) => ("cloud", 0, 0, None),
         Matter::Imported(imported) => ("volume", 0, 0, Some(&imported.file)),
         Matter::Mesh(mesh) => ("mesh", 0, 0, Some(&mesh.model)),
+        Matter::Paint(_) => ("paint", 0, 0, None),
         Matter::Smoke(smoke) => ("smoke", smoke.emitters.len(), smoke.forces.len(), None),
     };
     let detail = |room: &SurfaceRoom| json!({ "triangles": room.triangles, "bytes": room.bytes() });
@@ -62,6 +63,7 @@ fn object_json(object: &Object, load: &Load) -> Value {
         "imported": load.imported.map(|size| json!({
             "voxels": size.voxels, "bricks": size.bricks, "bytes": size.bytes,
         })),
+        "paint": load.paint.map(|room| json!({ "volumes": room.volumes, "bytes": room.bytes })),
         "bytes": load.bytes(),
         "style": style_json(&object.style),
     })

@@ -50,6 +50,14 @@ struct Load {
     volume: Option<VolumeRoom>,
     /// What a volume out of a file holds.
     imported: Option<ImportedSize>,
+    paint: Option<PaintRoom>,
+}
+
+/// What paint takes.
+#[derive(Clone, Copy)]
+struct PaintRoom {
+    volumes: u64,
+    bytes: u64,
 }
 
 impl Load {
@@ -93,6 +101,7 @@ impl Load {
             .saturating_add(vortex_bytes(self.vortices))
             .saturating_add(details)
             .saturating_add(volume)
+            .saturating_add(self.paint.map_or(0, |room| room.bytes))
     }
 }
 
@@ -124,6 +133,10 @@ fn loads(scene: &Scene, folder: &SceneFolder) -> anyhow::Result<Vec<Load>> {
         Matter::Imported(imported) => {
             let size = imported_size(folder, imported, scene.time.frames[0])?;
             Ok(Load { imported: Some(size), ..Load::default() })
+        }
+        Matter::Paint(paint) => {
+            let (volumes, bytes) = (paint.volumes(), paint.bytes());
+            Ok(Load { paint: Some(PaintRoom { volumes, bytes }), ..Load::default() })
         }
         Matter::Still(_) | Matter::Smoke(_) => {
             let particles = cost.particles.unwrap_or_default();

@@ -49,6 +49,11 @@ pub(super) fn of(name: &str, scene: &Scene, loads: &[Load]) -> String {
 fn load_words(load: &Load) -> Option<String> {
     match load {
         Load { imported: Some(_), .. } => None,
+        Load { paint: Some(room), .. } => Some(format!(
+            "    paint     {} volumes, {} on the GPU",
+            HumanCount(room.volumes),
+            BinaryBytes(room.bytes)
+        )),
         Load { triangles: 0, particles, .. } => {
             Some(format!("    particles {}", cost(*particles, particles.saturating_mul(PARTICLE_BYTES))))
         }
@@ -105,6 +110,8 @@ fn matter(object: &Object) -> String {
         Matter::Imported(imported) => format!("the volume {}", imported.file),
         Matter::Mesh(mesh) if mesh.copies.len() == 1 => format!("the model {}", mesh.model),
         Matter::Mesh(mesh) => format!("{} copies of the model {}", mesh.copies.len(), mesh.model),
+        Matter::Paint(paint) if paint.layers() > 1 => format!("paint in {} washes", paint.layers()),
+        Matter::Paint(_) => "paint that spreads".to_owned(),
         Matter::Smoke(smoke) => {
             let counted =
                 |number: usize, what: &str| format!("{number} {what}{}", if number == 1 { "" } else { "s" });

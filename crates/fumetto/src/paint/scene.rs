@@ -1,0 +1,229 @@
+use std::collections::BTreeMap;
+
+use bytemuck::{Pod, Zeroable};
+use fumetto_scene::{Look, Paint, Scene};
+use wgpu::util::DeviceExt as _;
+
+use super::{
+    cells::Grid,
+    coat::{Coat, Coats},
+    group::{Firsts, Group},
+    sphere::{Icosahedron, Sphere},
+};
+use crate::{
+    gpu::{Frame, Gpu},
+    shapes::mesh::Geometry,
+};
+
+/// Bytes of a `Run` of `spread.wgsl`.
+const RUN_BYTES: u64 = 32;
+
+/// Bytes of a vertex: its radius and its speed.
+const VERTEX_BYTES: u64 = 8;
+
+/// `Body` of `body.wgsl`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub(super) struct Body {
+    pub(super) start: [f32; 3],
+    pub(super) near: f32,
+    pub(super) end: [f32; 3],
+    pub(super) far: f32,
+    first_vertex: u32,
+    first_direction: u32,
+    first_patch: u32,
+    pieces: u32,
+    layer: u32,
+    coat: u32,
+    blend: f32,
+    pad: u32,
+}
+
+/// All paints of a scene on the device.
+#[derive(Debug)]
+pub(crate) struct PaintScene {
+    pub(super) groups: Vec<Group>,
+    pub(super) grids: Vec<Grid>,
+    pub(crate) coats: Coats,
+    /// `Body`s of `body.wgsl`.
+    pub(super) bodies: wgpu::Buffer,
+    pub(super) body_count: u32,
+    /// Radius and speed of each vertex.
+    pub(super) vertices: wgpu::Buffer,
+    /// `Run`s of `spread.wgsl`.
+    pub(super) runs: wgpu::Buffer,
+    /// Of the meshes that volumes are made of, one after the other: see `sphere.wgsl`.
+    pub(super) directions: wgpu::Buffer,
+    pub(super) patches: wgpu::Buffer,
+    pub(super) icosahedron: wgpu::Buffer,
+}
+
+/// Meshes of all sizes that volumes of a scene are made of.
+#[derive(Default)]
+struct Spheres {
+    /// By the pieces of an edge, the first direction and the first number in the patches.
+    firsts: BTreeMap<u32, [u32; 2]>,
+    all: Sphere,
+}
+
+impl Spheres {
+    fn firsts(&mut self, pieces: u32) -> [u32; 2] {
+        *self.firsts.entry(pieces).or_insert_with(|| {
+            let firsts = [self.all.directions.len(), self.all.patches.as_flattened().len()];
+            let sphere = Sphere::new(pieces);
+            self.all.directions.extend(sphere.directions);
+            self.all.patches.extend(sphere.patches);
+            firsts.map(|first| first as u32)
+        })
+    }
+}
+
+/// What the groups of a scene hold, while they are listed.
+#[derive(Default)]
+struct Listing {
+    groups: Vec<Group>,
+    grids: Vec<Grid>,
+    bodies: Vec<Body>,
+    coats: Vec<Coat>,
+    spheres: Spheres,
+    vertices: u32,
+    layers: u32,
+}
+
+impl Listing {
+    /// Adds a paint's volumes, layer by layer.
+    fn add(&mut self, gpu: &Gpu, paint: &Paint, coat: Coat, geometry: &Geometry, clock: (u32, f64)) {
+        let grid = Grid::new(gpu, paint, geometry, clock.0);
+        let pieces = paint.spread.subdivisions;
+        let [direction, patch] = self.spheres.firsts(pieces);
+        for layer in 0..paint.layers() {
+            let listed = Group::listed(paint, &coat, layer, self.firsts(direction), clock);
+            self.add_group(listed, [pieces, patch]);
+            if let Some(grid) = &grid {
+                let poured = Group::poured(paint, &coat, (grid, layer), self.firsts(direction), clock);
+                self.add_group(poured, [pieces, patch]);
+            }
+            self.layers += 1;
+        }
+        self.grids.extend(grid);
+        self.coats.push(coat);
+    }
+
+    fn firsts(&self, direction: u32) -> Firsts {
+        Firsts { body: self.bodies.len() as u32, vertex: self.vertices, direction }
+    }
+
+    fn add_group(&mut self, group: Group, [pieces, first_patch]: [u32; 2]) {
+        for _ in 0..group.uniform.volumes {
+            self.bodies.push(Body {
+                first_vertex: self.vertices,
+                first_direction: group.uniform.first_direction,
+                first_patch,
+                pieces,
+                layer: self.layers,
+                coat: self.coats.len() as u32,
+                blend: group.blend_m,
+                ..Body::zeroed()
+            });
+            self.vertices += group.uniform.vertices;
+        }
+        if group.uniform.volumes > 0 {
+            self.groups.push(group);
+        }
+    }
+}
+
+impl PaintScene {
+    /// The paints that are visible, over the models of `geometry`.
+    pub(crate) fn new(gpu: &Gpu, scene: &Scene, geometry: &Geometry, seed_of: impl Fn(usize) -> u32) -> Self {
+        let mut listing = Listing::default();
+        // Looks are numbered as `Scene::styled_looks` lists them, after the scene's own.
+        let mut looks = 0;
+        let mut number_of = |look: &Look| match look {
+            Look::Own | Look::Monochrome => 0,
+            Look::Styled(_) => {
+                looks += 1;
+                looks
+            }
+        };
+        let mut outside = (0, true);
+        for (index, paint) in scene.paints() {
+            let object = &scene.objects[index];
+            let coat = Coat::new(object, paint, listing.layers, number_of(&paint.inside));
+            if let Some(look) = &paint.outside {
+                outside = (number_of(look), *look == Look::Monochrome);
+            }
+            listing.add(gpu, paint, coat, geometry, (seed_of(index), scene.time.step_secs()));
+        }
+        let coats = Coats::new(&listing.coats, listing.bodies.len() as u32, outside);
+        Self::upload(gpu, listing, coats)
+    }
+
+    fn upload(gpu: &Gpu, listing: Listing, coats: Coats) -> Self {
+        let Listing { groups, grids, bodies, spheres: Spheres { all, .. }, vertices, .. } = listing;
+        let list = |label, contents: &[u8], usage| {
+            let nothing = [0; 64];
+            let contents = if contents.is_empty() { &nothing } else { contents };
+            gpu.device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
+                label: Some(label),
+                contents,
+                usage,
+            })
+        };
+        let room = |label, count: u64, bytes: u64| {
+            gpu.device.create_buffer(&wgpu::BufferDescriptor {
+                label: Some(label),
+                size: count.max(1) * bytes,
+                usage: wgpu::BufferUsages::STORAGE
+                    | wgpu::BufferUsages::COPY_DST
+                    | wgpu::BufferUsages::COPY_SRC,
+                mapped_at_creation: false,
+            })
+        };
+        let storage = wgpu::BufferUsages::STORAGE;
+        let read_back = storage | wgpu::BufferUsages::COPY_SRC;
+        Self {
+            coats,
+            bodies: list("paint.bodies", bytemuck::cast_slice(&bodies), read_back),
+            body_count: bodies.len() as u32,
+            vertices: room("paint.vertices", vertices.into(), VERTEX_BYTES),
+            runs: room("paint.runs", bodies.len() as u64, RUN_BYTES),
+            directions: list("paint.directions", bytemuck::cast_slice(&all.directions), storage),
+            patches: list("paint.patches", bytemuck::cast_slice(&all.patches), storage),
+            icosahedron: list(
+                "paint.icosahedron",
+                bytemuck::bytes_of(&Icosahedron::new()),
+                wgpu::BufferUsages::UNIFORM,
+            ),
+            groups,
+            grids,
+        }
+    }
+
+    /// Whether there is no paint.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.body_count == 0
+    }
+
+    /// Of each grid, whether there is any ground for it.
+    pub(crate) fn have_floors(&self) -> impl Iterator<Item = bool> {
+        self.grids.iter().map(|grid| grid.has_floor)
+    }
+
+    /// Back to before anything fell.
+    pub(crate) fn reset(&self, frame: &mut Frame<'_>) {
+        frame.encoder.clear_buffer(&self.vertices, 0, None);
+        frame.encoder.clear_buffer(&self.runs, 0, None);
+        for grid in &self.grids {
+            grid.reset(frame);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gpu::layout_test;
+
+    layout_test!(lies_as_its_twin: Body, "Body" of "paint/mask" { start, near, end, far, first_vertex, first_direction, first_patch, pieces, layer, coat, blend });
+}
