@@ -31,6 +31,7 @@ struct Line {
     mark: u32,
 }
 
+// In 255ths.
 fn margin_at(texel: vec2f) -> f32 {
     let first = floor(texel);
     let share = texel - first;
@@ -38,7 +39,7 @@ fn margin_at(texel: vec2f) -> f32 {
     let left = vec2f(vec2u((four.x >> 8u) & 0xffu, (four.y >> 8u) & 0xffu));
     let right = vec2f(vec2u(four.x >> 24u, four.y >> 24u));
     let across = mix(left, right, share.x);
-    return mix(across.x, across.y, share.y) / 255.0;
+    return mix(across.x, across.y, share.y);
 }
 
 fn look(line: Line, pixel: u32) {
@@ -51,8 +52,8 @@ fn look(line: Line, pixel: u32) {
     let p = (texel + 0.5 - picture.middle) / (length(picture.step) * line.radius_px);
     let away = max(length(offset), 1e-3);
     // Farther out than the atlas tells, a puff is much like a disc.
-    let outside = stored < 0.01 || any(abs(p) > vec2f(TILE_EXTENT - 0.05));
-    let margin = select(stored * 1.5 - 0.5, 0.9 - away / line.radius_px, outside);
+    let outside = stored < 2.5 || any(abs(p) > vec2f(TILE_EXTENT - 0.05));
+    let margin = select(stored, margin_byte(0.9 - away / line.radius_px), outside);
     let lit = max(dot(offset, line.light) / away, 0.0);
     let taper = clamp((behind[pixel] - line.distance) / line.taper, 0.0, 1.0);
     let outer = line.widths.x * (1.0 - line.thinning * lit);
@@ -60,7 +61,7 @@ fn look(line: Line, pixel: u32) {
     let width = select(outer, inner, (filled & (1u << pixel)) != 0u);
     let before = distances[pixel];
     let nearer = line.distance < before || (line.distance == before && line.mark < marks[pixel]);
-    let inked = nearer && margin > picture.erosion - width;
+    let inked = nearer && margin > margin_byte(picture.erosion - width);
     distances[pixel] = select(before, line.distance, inked);
     marks[pixel] = select(marks[pixel], line.mark, inked);
 }

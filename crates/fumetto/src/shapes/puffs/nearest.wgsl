@@ -17,6 +17,7 @@ struct Seen {
     distance: f32,
     // In 255ths.
     radius: f32,
+    // More than this is inside.
     margin: f32,
     id: u32,
 }
@@ -64,8 +65,7 @@ fn walk(slot: u32, lane: u32, is_empty: bool) {
             let picture = picture_unpacked(textureLoad(projected, projected_at(id - 1u, 1u)));
             let offset = place - at.xy;
             let radius = at.z * at.w / (view.focal_px * 255.0);
-            // Bytes are rounded: a place is inside where it is so by half a step.
-            let margin = (picture.erosion + 0.5) * (255.0 / 1.5) + 0.5;
+            let margin = margin_byte(picture.erosion);
             let seen = Seen(offset, texel_of(picture, offset), picture, at.z * at.z, at.w, radius, margin, id);
             // Spelled out, so that what each pixel sees stays in registers.
             look(seen, 0u);

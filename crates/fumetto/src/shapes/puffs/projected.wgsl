@@ -33,6 +33,11 @@ fn picture_unpacked(packed: vec4u) -> Picture {
     return Picture(middle, bitcast<vec2f>(packed.xy), bitcast<f32>(packed.w));
 }
 
+// A margin as `heights` holds it. Bytes are rounded there: a place is inside where it is so by half a step.
+fn margin_byte(margin: f32) -> f32 {
+    return (margin + 0.5) * (255.0 / 1.5) + 0.5;
+}
+
 // The texel, from its own middle, at an offset from the puff's middle in pixels.
 fn texel_of(picture: Picture, offset_px: vec2f) -> vec2f {
     let turned = vec2f(-picture.step.y, picture.step.x);
