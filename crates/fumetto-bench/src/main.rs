@@ -9,6 +9,7 @@ mod cloud;
 mod cube;
 mod draw;
 mod edges;
+mod imported;
 mod machine;
 mod measure;
 mod number;
@@ -32,11 +33,12 @@ use report::{Report, Row, Table};
 use subsystem::Subsystem;
 
 /// Everything that is measured, in the order of the report.
-const SUBSYSTEMS: [&Subsystem; 8] = [
+const SUBSYSTEMS: [&Subsystem; 9] = [
     &step::STEP,
     &vortex::VORTEX,
     &surface::SURFACE,
     &volume::VOLUME,
+    &imported::IMPORTED,
     &draw::DRAW,
     &edges::EDGES,
     &shadows::SHADOWS,
