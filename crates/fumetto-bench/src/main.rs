@@ -9,6 +9,7 @@ mod cloud;
 mod cube;
 mod draw;
 mod edges;
+mod imported;
 mod machine;
 mod measure;
 mod number;
@@ -33,11 +34,12 @@ use report::{Report, Row, Table};
 use subsystem::Subsystem;
 
 /// Everything that is measured, in the order of the report.
-const SUBSYSTEMS: [&Subsystem; 10] = [
+const SUBSYSTEMS: [&Subsystem; 11] = [
     &step::STEP,
     &vortex::VORTEX,
     &surface::SURFACE,
     &volume::VOLUME,
+    &imported::IMPORTED,
     &draw::DRAW,
     &edges::EDGES,
     &shadows::SHADOWS,

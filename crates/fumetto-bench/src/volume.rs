@@ -152,7 +152,7 @@ fn time(engine: &mut Engine, case: &mut Running) -> anyhow::Result<Duration> {
     Ok(begin.elapsed())
 }
 
-fn target(engine: &Engine, [width, height]: [u32; 2]) -> wgpu::TextureView {
+pub(crate) fn target(engine: &Engine, [width, height]: [u32; 2]) -> wgpu::TextureView {
     let texture = engine.gpu().device.create_texture(&wgpu::TextureDescriptor {
         label: Some("bench.volume.target"),
         size: wgpu::Extent3d { width, height, depth_or_array_layers: 1 },

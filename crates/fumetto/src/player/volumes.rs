@@ -21,7 +21,7 @@ pub(super) fn volumes(gpu: &Gpu, scene: &Scene, objects: &[PlayedObject]) -> Res
             PlayedMatter::Sequence(..) | PlayedMatter::Morph(_) | PlayedMatter::Smoke(_) => {
                 (Source::Puffs(volume.moving_room()), true)
             }
-            PlayedMatter::Imported(volume) => (Source::File(volume.field.clone()), false),
+            PlayedMatter::Imported(volume) => (Source::File(Box::new(volume.field.clone())), false),
             PlayedMatter::Model(_) | PlayedMatter::Paint => continue,
         };
         let first = played.placement.first;

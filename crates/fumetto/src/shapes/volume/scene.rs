@@ -40,7 +40,7 @@ pub(crate) enum Source {
     /// Puffs, with so much room.
     Puffs(VolumeRoom),
     /// A file.
-    File(BrickField),
+    File(Box<BrickField>),
 }
 
 /// All volumes of a scene.
@@ -78,7 +78,7 @@ impl VolumeScene {
             object: object.object,
             field: match object.source {
                 Source::Puffs(room) => Field::Cells(CellField::new(gpu, room)),
-                Source::File(field) => Field::Bricks(field),
+                Source::File(field) => Field::Bricks(*field),
             },
             recipe: Recipe {
                 volume: object.volume,

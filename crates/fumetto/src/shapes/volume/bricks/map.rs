@@ -169,7 +169,7 @@ impl BrickMap {
 fn origins(samples: &Samples<'_>) -> Result<Vec<[i32; 3]>, ImportError> {
     let voxels = samples.voxels();
     let tiles = || voxels.tiles.iter().filter(|tile| samples.is_dense(tile.value[0]));
-    let in_tile = |tile: &Tile| (tile.side.unsigned_abs() as u64 / 8 + 1).pow(3);
+    let in_tile = |tile: &Tile| (u64::from(tile.side.unsigned_abs()) / 8 + 1).pow(3);
     let asked = tiles().map(in_tile).fold(voxels.bricks.len() as u64 * 8, u64::saturating_add);
     if asked > MAX_LOOKED_AT {
         let bytes = asked.saturating_mul(2 * IN_BRICK as u64);
