@@ -10,6 +10,7 @@ mod hatching;
 mod ramps;
 mod sprites;
 mod tones;
+mod turns;
 mod veil;
 
 pub(crate) use backdrop::Backdrop;
@@ -22,4 +23,5 @@ pub(crate) use hatching::{HatchStyle, HatchStyles, Hatched, Sheeted};
 pub(crate) use ramps::Ramps;
 pub(crate) use sprites::{MAX_OBJECTS, Sprites};
 pub(crate) use tones::Features;
+pub(crate) use turns::{TURNS_PX, Turns};
 pub(crate) use veil::Veil;
