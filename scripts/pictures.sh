@@ -122,6 +122,11 @@ for style in engraving crosshatch pencil; do
     draw hatching "hatching-$style.png" --size 960x300 --style "$style"
 done
 
+for along in shade light curvature; do
+    draw cloud "hatching-$along.png" --style engraving --set 'style.tones=["#f3ead6"]' \
+        --set "style.hatching={ along = \"$along\", layers = 1 }" "${small[@]}"
+done
+
 for method in hybrid vector image shell angle; do
     draw cottage "line-$method.png" --frame 120 --size 320x240 --set style.height=440 \
         --set "style.ink.method=$method" --set camera.fov=24 --set 'camera.target=[1.7,2.9,0]'

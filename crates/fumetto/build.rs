@@ -523,6 +523,7 @@ const PROGRAMS: &[(&str, &[&str])] = &[
             "gpu/random",
             "gpu/basis",
             "tone/hatching",
+            "tone/twice",
             "tone/grain",
             "tone/strokes",
             "tone/laid",
@@ -530,6 +531,7 @@ const PROGRAMS: &[(&str, &[&str])] = &[
         ],
     ),
     ("tone/ground", &["gpu/view", "gpu/fullscreen", "tone/ground"]),
+    ("tone/turns", &["gpu/view", "gpu/fullscreen", "tone/twice", "tone/turns"]),
     ("tone/slopes", &["gpu/view", "gpu/fullscreen", "tone/slopes"]),
     (
         "tone/sprites",

@@ -20,7 +20,7 @@ use crate::{
     tiles::Part,
     tone::{
         CEL_FORMAT, Canvas, Compose, Copied, Features, Flat, Ground, Hatched, Inked, Reveal, Sheet, Sprites,
-        Under, Veil,
+        Turns, Under, Veil,
     },
 };
 
@@ -45,6 +45,7 @@ pub(crate) struct Painter {
     inner: Inner,
     gather: Gather,
     ground: Ground,
+    turns: Turns,
     flat: Flat,
     sprites: Sprites,
     copied: Copied,
@@ -107,6 +108,7 @@ impl Painter {
             inner: Inner::new(gpu),
             gather: Gather::new(gpu),
             ground: Ground::new(gpu),
+            turns: Turns::new(gpu),
             flat: Flat::new(gpu),
             sprites: Sprites::new(gpu),
             copied: Copied::new(gpu),
@@ -375,8 +377,9 @@ impl Painter {
         let normal =
             if radius == 0 { normal } else { self.soften.record(frame, &setting.view, normal, radius, step) };
         let ground = self.ground.record(frame, subject.view, layers, setting.smooth_px());
+        let turns = self.turns.record(frame, subject.view, &ground, setting.wants_turns());
         let styles = setting.strokes(frame);
-        let hatched = Hatched { styles: styles.as_ref(), ground: &ground };
+        let hatched = Hatched { styles: styles.as_ref(), ground: &ground, turns: &turns };
         let light = (&normal, shadow, hatched);
         self.flat.record(frame, subject, layers, light, (step, ramps, setting.features), canvas);
     }

@@ -1,13 +1,20 @@
 //! Lengths on a picture that all its passes share. They come of the whole picture's height, also where a tile of
 //! it is drawn.
 
-use fumetto_scene::Object;
+use fumetto_scene::{Hatching, Object};
 
-use crate::{Player, ink::Methods, player::Look};
+use crate::{Player, ink::Methods, player::Look, tone::TURNS_PX};
 
 /// Shadows are cleaned over this many times the length that tones are: their specks come of single puffs,
 /// which are larger than the bumps on them.
 pub(crate) const SETTLE: f32 = 3.0;
+
+/// Most that a form is smoothed over for strokes, in heights of the picture: each sample looks at all around it.
+const SMOOTHEST: f32 = 0.125;
+
+/// Relief that is always smoothed over before strokes run round a form, in pixels of the style: how small
+/// bumps bend says nothing.
+const CURVED_PX: f32 = 4.0;
 
 /// Samples along a texel of the coarsest layer, and of those around it that it is mixed with.
 const TEXELS_PX: f32 = 8.0;
@@ -23,8 +30,17 @@ pub(crate) fn clean_px(objects: &[&Object], height_px: u32) -> f32 {
 /// is hatched.
 pub(crate) fn smooth_px(objects: &[&Object], height_px: u32) -> Option<f32> {
     let hatched = objects.iter().filter(|object| object.visible && object.style.hatching.on);
-    let px = |object: &&Object| object.style.hatching.smooth_px * height_px as f32 / object.style.height_px;
-    hatched.map(px).reduce(f32::max)
+    let px = |object: &&Object| {
+        let Hatching { smooth_px, .. } = object.style.hatching;
+        let least_px = if object.style.hatching.follows_curvature() { CURVED_PX } else { 0.0 };
+        smooth_px.max(least_px) * height_px as f32 / object.style.height_px
+    };
+    hatched.map(px).reduce(f32::max).map(|px| px.min(SMOOTHEST * height_px as f32))
+}
+
+/// Whether any strokes run as the form bends.
+pub(crate) fn wants_turns(objects: &[&Object]) -> bool {
+    objects.iter().any(|object| object.visible && object.style.hatching.follows_curvature())
 }
 
 /// How far from a pixel of a picture `height_px` samples high anything may lie that it depends on, in samples;
@@ -41,5 +57,6 @@ fn look_reach_px(objects: &[&Object], height_px: u32) -> f32 {
     let widths = if methods.image || methods.hybrid { 2.0 } else { 1.0 };
     // It is smoothed in two rounds.
     let smooth = smooth_px(objects, height_px).map_or(0.0, |px| 1.5 * px + TEXELS_PX);
+    let smooth = smooth + if wants_turns(objects) { TURNS_PX + TEXELS_PX } else { 0.0 };
     (SETTLE * clean_px(objects, height_px)).max(widths * methods.radius_px).max(smooth) + TEXELS_PX
 }

@@ -7,7 +7,7 @@ use crate::{
     cels::Cel,
     gpu::{Frame, Gpu, View},
     ink::{MAX_PENS, Pen},
-    lengths::{clean_px, smooth_px},
+    lengths::{clean_px, smooth_px, wants_turns},
     light::LightsUniform,
     object::ObjectStyle,
     player::Look,
@@ -104,6 +104,11 @@ impl<'a> Setting<'a> {
     /// Samples over which the form is smoothed for strokes, where there are any.
     pub(crate) fn smooth_px(&self) -> Option<f32> {
         smooth_px(&self.drawn(), self.view.picture_height)
+    }
+
+    /// Whether any strokes run as the form bends.
+    pub(crate) fn wants_turns(&self) -> bool {
+        wants_turns(&self.drawn())
     }
 
     /// Tells shaders how each object is drawn in a cel.

@@ -56,6 +56,7 @@ impl From<AlongFile> for Along {
             AlongFile::Angle => Self::Angle,
             AlongFile::Shade => Self::Shade,
             AlongFile::Light => Self::Light,
+            AlongFile::Curvature => Self::Curvature,
         }
     }
 }

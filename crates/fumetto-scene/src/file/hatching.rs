@@ -72,6 +72,9 @@ pub enum AlongFile {
     Shade,
     /// The first light: they run from light to shade.
     Light,
+    /// The form: they run the way that it bends most, and as the style's `angle` says where it bends all
+    /// ways alike.
+    Curvature,
 }
 
 /// What strokes stay with.

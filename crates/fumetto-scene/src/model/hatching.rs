@@ -54,6 +54,8 @@ pub enum Along {
     Shade,
     /// The first light: they run from light to shade.
     Light,
+    /// The form: they run the way that it bends most, and as [`Along::Angle`] where it bends all ways alike.
+    Curvature,
 }
 
 /// What strokes stay with.
@@ -65,6 +67,14 @@ pub enum Follow {
     Object,
     /// The picture.
     Screen,
+}
+
+impl Hatching {
+    /// Whether strokes run as the form bends.
+    #[must_use]
+    pub fn follows_curvature(&self) -> bool {
+        self.on && self.along == Along::Curvature && self.follow != Follow::Screen
+    }
 }
 
 /// An engraver's burin, as far as it is on.

@@ -117,6 +117,7 @@ impl Flat {
                 wgpu::BindingResource::TextureView(&layers.light),
                 hatched.styles.unwrap_or(&self.no_strokes).as_entire_binding(),
                 wgpu::BindingResource::TextureView(&hatched.ground.slopes),
+                wgpu::BindingResource::TextureView(hatched.turns),
             ],
         );
     }

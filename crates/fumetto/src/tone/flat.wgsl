@@ -54,6 +54,7 @@ struct Sampling {
 @group(0) @binding(22) var light_layer: texture_2d<f32>;
 @group(0) @binding(23) var<uniform> hatches: array<HatchStyle, MAX_OBJECTS>;
 @group(0) @binding(24) var ground_layer: texture_2d<f32>;
+@group(0) @binding(25) var turns_layer: texture_2d<f32>;
 
 // The normal between the layer's texels, from those that lie about as deep.
 fn normal_at(px: vec2i, distance: f32) -> vec3f {

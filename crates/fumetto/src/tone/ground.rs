@@ -15,7 +15,8 @@ const SLOPES_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba32Float;
 const RADIUS: f32 = 4.0;
 
 /// Samples to a texel: tiles begin at multiples of them.
-const STEPS: [f32; 2] = [2.0, 4.0];
+const FINEST: f32 = 2.0;
+pub(super) const COARSEST: f32 = 4.0;
 
 /// Samples of two rounds of smoothing to each side over those of one that smooths as much.
 const ROUND: f32 = std::f32::consts::FRAC_1_SQRT_2;
@@ -85,7 +86,7 @@ impl Ground {
                 far_px: 0.0,
             };
         };
-        let step = if smooth_px < RADIUS * STEPS[1] { STEPS[0] } else { STEPS[1] };
+        let step = if smooth_px < RADIUS * COARSEST { FINEST } else { COARSEST };
         let far_px = smooth_px.max(STEEPEST * step);
         let radius = (smooth_px * ROUND / step).ceil() as i32;
         let mut distances = frame.texture("tone.ground", [1, 1], GROUND_FORMAT);

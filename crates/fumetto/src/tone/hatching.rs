@@ -4,19 +4,21 @@ use fumetto_scene::{Along, Camera, Follow, Hatching, Light, LightKind, Object, S
 use glam::{Quat, Vec2, Vec3};
 
 use super::ground::Grounded;
-use crate::object::MAX_OBJECTS;
+use crate::{gpu::Transient, object::MAX_OBJECTS};
 
-/// Most directions that strokes have. Also in `hatching.wgsl`.
-const MAX_LAYERS: usize = 4;
+/// Most layers of strokes, and directions among which the form chooses. Also in `hatching.wgsl`.
+const MAX_LAYERS: u32 = 4;
+const AXES: usize = 8;
 
 const IS_HARD: u32 = 1;
 const IS_SMOOTHED: u32 = 2;
+const IS_CURVED: u32 = 4;
 
 /// `HatchStyle` of `hatching.wgsl`.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, bytemuck::Pod, bytemuck::Zeroable)]
 pub(crate) struct HatchStyle {
-    axes: [[f32; 4]; MAX_LAYERS],
+    axes: [[f32; 4]; AXES],
     colour: [f32; 3],
     light_from: f32,
     light_full: f32,
@@ -35,6 +37,8 @@ pub(crate) struct HatchStyle {
     follow: u32,
     seed: u32,
     look: u32,
+    cross: f32,
+    pad: [u32; 3],
 }
 
 /// What the strokes of a picture need.
@@ -43,6 +47,7 @@ pub(crate) struct Hatched<'a> {
     /// The styles of all objects, where any is hatched.
     pub(crate) styles: Option<&'a wgpu::Buffer>,
     pub(crate) ground: &'a Grounded,
+    pub(crate) turns: &'a Transient,
 }
 
 /// The picture that strokes are for.
@@ -82,7 +87,9 @@ impl HatchStyle {
         };
         let (width_px, width_m) = length(hatching.width);
         let (spacing_px, spacing_m) = length(hatching.spacing);
-        let axis = |layer| from.axis(hatching, layer as f32 * hatching.cross_deg).extend(0.0).to_array();
+        let is_curved = hatching.follows_curvature();
+        let apart_deg = if is_curved { 180.0 / AXES as f32 } else { hatching.cross_deg };
+        let axis = |number| from.axis(hatching, number as f32 * apart_deg).extend(0.0).to_array();
         let flag = |on, bit| if on { bit } else { 0 };
         Self {
             axes: std::array::from_fn(axis),
@@ -91,7 +98,7 @@ impl HatchStyle {
             light_full: hatching.full,
             swell: hatching.swell,
             levels: hatching.levels as f32,
-            layers: hatching.layers.min(MAX_LAYERS as u32),
+            layers: hatching.layers.min(MAX_LAYERS),
             width_px,
             width_m,
             spacing_px,
@@ -107,7 +114,11 @@ impl HatchStyle {
                 Follow::Screen => 3,
             },
             seed: 0,
-            look: flag(sheet.samples == 1, IS_HARD) | flag(hatching.smooth_px > 0.0, IS_SMOOTHED),
+            look: flag(sheet.samples == 1, IS_HARD)
+                | flag(hatching.smooth_px > 0.0, IS_SMOOTHED)
+                | flag(is_curved, IS_CURVED),
+            cross: hatching.cross_deg.to_radians(),
+            pad: [0; 3],
         }
     }
 }
@@ -148,7 +159,7 @@ impl From {
         let turn = Quat::from_axis_angle(self.toward_eye, turn_deg.to_radians());
         let (sin, cos) = hatching.tilt_deg.to_radians().sin_cos();
         match hatching.along {
-            Along::Angle => {
+            Along::Angle | Along::Curvature => {
                 let upright = (hatching.angle_deg + turn_deg).to_radians() + std::f32::consts::FRAC_PI_2;
                 let across = self.right * upright.cos() + self.up * upright.sin();
                 // The place that planes only touch, where strokes would be rings, shall lie in the light.
@@ -170,7 +181,7 @@ impl From {
         let light = Vec2::new(self.toward_light.dot(self.right), self.toward_light.dot(self.up));
         let light = light.normalize_or(Vec2::Y);
         let across = match hatching.along {
-            Along::Angle => Vec2::from_angle(hatching.angle_deg.to_radians()).perp(),
+            Along::Angle | Along::Curvature => Vec2::from_angle(hatching.angle_deg.to_radians()).perp(),
             Along::Shade => light,
             Along::Light => light.perp(),
         };
@@ -183,5 +194,5 @@ mod tests {
     use super::*;
     use crate::gpu::layout_test;
 
-    layout_test!(lies_as_its_twin: HatchStyle, "HatchStyle" of "tone/flat" { axes, colour, light_from, light_full, swell, levels, layers, width_px, width_m, spacing_px, spacing_m, length_px, gaps, wobble_px, tooth, scale, follow, seed, look });
+    layout_test!(lies_as_its_twin: HatchStyle, "HatchStyle" of "tone/flat" { axes, colour, light_from, light_full, swell, levels, layers, width_px, width_m, spacing_px, spacing_m, length_px, gaps, wobble_px, tooth, scale, follow, seed, look, cross });
 }

@@ -1,7 +1,8 @@
 // How one object is hatched; a list of these, by the object's number, lies in a uniform buffer.
 struct HatchStyle {
-    // Across each layer's strokes: of unit length, in the coordinates that strokes stay in.
-    axes: array<vec4f, 4>,
+    // Across strokes, of unit length, in the coordinates that strokes stay in: of each layer; or of those that run
+    // one way each, among which the form chooses.
+    axes: array<vec4f, 8>,
     // Encoded.
     colour: vec3f,
     // Amounts of light: no strokes from here on, and most strokes.
@@ -26,8 +27,10 @@ struct HatchStyle {
     // What strokes stay with.
     follow: u32,
     seed: u32,
-    // Bit 0: samples are all stroke or none. Bit 1: the form is smoothed.
+    // Bit 0: samples are all stroke or none. Bit 1: the form is smoothed. Bit 2: it chooses among the axes.
     look: u32,
+    // Angle between layers, where the form chooses.
+    cross: f32,
 }
 
 const FOLLOW_NOTHING: u32 = 0u;
@@ -37,3 +40,7 @@ const FOLLOW_SCREEN: u32 = 3u;
 
 const IS_HARD: u32 = 1u;
 const IS_SMOOTHED: u32 = 2u;
+const IS_CURVED: u32 = 4u;
+
+// Axes among which a form chooses.
+const AXES: u32 = 8u;

@@ -1,4 +1,4 @@
-// Where on the form a pixel's strokes lie. Uses `ground_layer`, `puffs` and `parts` of the program that it is
+// Where on the form a pixel's strokes lie. Uses `ground_layer`, `turns_layer`, `puffs` and `parts` of the program that it is
 // part of.
 
 // Cosine between form and viewer under which strokes draw together no more.
@@ -67,7 +67,8 @@ fn laid_at(style: HatchStyle, seen: Seen, id: u32, px: vec2f, distance: f32) -> 
         let unit = 1.0 / style.scale;
         let at = (px + view.first_px) * unit * vec2f(1.0, -1.0);
         let px_m = view.focal_px / distance;
-        return Laid(vec3f(at, 0.0), vec3f(unit, 0.0, 0.0), vec3f(0.0, -unit, 0.0), unit, unit * px_m, px_m);
+        let right = vec3f(unit, 0.0, 0.0);
+        return Laid(vec3f(at, 0.0), right, vec3f(0.0, -unit, 0.0), unit, unit * px_m, px_m, vec2f(0.0));
     }
     let ray = world_ray(px);
     var ground = plane_at(seen.normal, ray, distance);
@@ -80,6 +81,11 @@ fn laid_at(style: HatchStyle, seen: Seen, id: u32, px: vec2f, distance: f32) -> 
     let pixel = far / view.focal_px;
     let right = view.world_from_view[0].xyz * pixel + ray * ground.y;
     let below = view.world_from_view[1].xyz * -pixel + ray * ground.z;
+    var turn = vec2f(0.0);
+    if (style.look & IS_CURVED) != 0u {
+        let texel = (px - 0.5) / f32(sampling.ground_step) + 0.5;
+        turn = textureSampleLevel(turns_layer, linear, texel / vec2f(textureDimensions(turns_layer)), 0.0).xy;
+    }
     let unit_m = length(stays.gradients[0]);
     let px_m = view.focal_px / far;
     return Laid(
@@ -89,5 +95,6 @@ fn laid_at(style: HatchStyle, seen: Seen, id: u32, px: vec2f, distance: f32) -> 
         unit_m / px_m,
         unit_m,
         px_m,
+        turn,
     );
 }

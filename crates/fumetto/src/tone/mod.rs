@@ -11,6 +11,7 @@ mod ramps;
 mod reveal;
 mod sprites;
 mod tones;
+mod turns;
 mod veil;
 
 pub(crate) use backdrop::Backdrop;
@@ -24,4 +25,5 @@ pub(crate) use ramps::Ramps;
 pub(crate) use reveal::Reveal;
 pub(crate) use sprites::{MAX_OBJECTS, Sprites};
 pub(crate) use tones::Features;
+pub(crate) use turns::{TURNS_PX, Turns};
 pub(crate) use veil::Veil;

@@ -18,6 +18,12 @@ const FINEST: f32 = 0.3;
 // Samples from stroke to stroke, at least.
 const DENSEST: f32 = 2.5;
 
+// How much the style's own direction counts where the form bends no way more than another.
+const UNBENT: f32 = 0.4;
+
+// How soon strokes of one axis give way to those of the next: the larger, the sooner.
+const REACH: f32 = 3.0;
+
 // A pixel of what is hatched, in the coordinates that strokes stay in.
 struct Laid {
     at: vec3f,
@@ -29,6 +35,8 @@ struct Laid {
     unit_m: f32,
     // Samples to a metre.
     px_m: f32,
+    // Which way the form bends: see `turns.wgsl`.
+    turn: vec2f,
 }
 
 // The strokes of one layer around a pixel.
@@ -72,11 +80,17 @@ fn stroke(strokes: Strokes, at: f32, part: f32) -> f32 {
     return select(covered, select(0.0, 1.0, off < half), strokes.is_hard);
 }
 
-// How much of a pixel the strokes of one layer cover, of which a share `wanted` of the layer's most is wanted.
-fn layer_cover(style: HatchStyle, layer: u32, laid: Laid, wanted: f32, thinned: f32) -> f32 {
-    let axis = style.axes[layer].xyz;
+// How an axis changes across the picture.
+fn change_of(axis: vec3f, laid: Laid) -> vec2f {
+    return vec2f(dot(axis, laid.right), dot(axis, laid.below));
+}
+
+// How much of a pixel the strokes across one axis cover, of which a share `wanted` of the layer's most is wanted;
+// only a share `some` of them takes part.
+fn axis_cover(style: HatchStyle, number: u32, laid: Laid, wanted: f32, some: f32, thinned: f32) -> f32 {
+    let axis = style.axes[number].xyz;
     let beside = across(axis);
-    let slope = max(length(vec2f(dot(axis, laid.right), dot(axis, laid.below))), 1e-12);
+    let slope = max(length(change_of(axis, laid)), 1e-12);
     // From stroke to stroke as it should be, in units; the lattice of planes is of powers of two of `unit`.
     let unit = select(1.0, style.spacing_m * laid.unit_m, style.spacing_m > 0.0);
     let spacing = max(max(style.spacing_px * slope, style.spacing_m * laid.unit_m), DENSEST * slope);
@@ -98,7 +112,7 @@ fn layer_cover(style: HatchStyle, layer: u32, laid: Laid, wanted: f32, thinned: 
     let apart = cell / slope;
     let touching = apart * (width / spacing_px - between) / max(1.0 - between, 1e-3);
     width = thinned * select(width, min(touching, apart), width > 0.5 * apart);
-    part *= 1.0 - style.gaps;
+    part *= some * (1.0 - style.gaps);
 
     var strokes: Strokes;
     strokes.along = vec2f(dot(beside[0], laid.at), dot(beside[1], laid.at));
@@ -107,13 +121,45 @@ fn layer_cover(style: HatchStyle, layer: u32, laid: Laid, wanted: f32, thinned: 
     strokes.width = width;
     strokes.wobble = style.wobble_px;
     strokes.finest = finest;
-    strokes.length = style.length_px * laid.unit_px;
+    strokes.length = select(0.0, max(style.length_px, 1.0), style.length_px > 0.0) * laid.unit_px;
     strokes.stray = STRAY * max(style.spacing_px, 4.0 * style.scale) * laid.unit_px;
-    strokes.key = style.seed + layer * 2654435769u;
+    strokes.key = style.seed + number * 2654435769u;
     strokes.is_hard = (style.look & IS_HARD) != 0u;
-    let number = strokes.at / cell;
-    let main = stroke(strokes, round(number) * cell, part);
-    return max(main, stroke(strokes, (floor(number) + 0.5) * cell, part * between));
+    let planes = strokes.at / cell;
+    let main = stroke(strokes, round(planes) * cell, part);
+    return max(main, stroke(strokes, (floor(planes) + 0.5) * cell, part * between));
+}
+
+// How much of a pixel the strokes of one layer cover. Where the form chooses, those two axes count whose strokes run
+// most as it bends; between places of one and of the other, strokes of both reach into each other.
+fn layer_cover(style: HatchStyle, layer: u32, laid: Laid, wanted: f32, thinned: f32) -> f32 {
+    if (style.look & IS_CURVED) == 0u {
+        return axis_cover(style, layer, laid, wanted, 1.0, thinned);
+    }
+    // Where the form bends all ways alike, the style's own direction is as good as any.
+    let own = change_of(style.axes[0].xyz, laid);
+    let plain = laid.turn + UNBENT * (1.0 - length(laid.turn)) * twice(-own.yx);
+    let turned = 2.0 * f32(layer) * style.cross;
+    let turn = vec2f(cos(turned) * plain.x - sin(turned) * plain.y, sin(turned) * plain.x + cos(turned) * plain.y);
+    var best = vec2u(0u);
+    var near = vec2f(-2.0);
+    for (var number = 0u; number < AXES; number++) {
+        let change = change_of(style.axes[number].xyz, laid);
+        let fits = dot(twice(-change.yx), turn / max(length(turn), 1e-6));
+        if fits > near.x {
+            best = vec2u(number, best.x);
+            near = vec2f(fits, near.x);
+        } else if fits > near.y {
+            best.y = number;
+            near.y = fits;
+        }
+    }
+    let some = clamp(0.5 + REACH * (near.x - near.y), 0.5, 1.0);
+    let cover = axis_cover(style, best.x, laid, wanted, some, thinned);
+    if some == 1.0 {
+        return cover;
+    }
+    return max(cover, axis_cover(style, best.y, laid, wanted, 1.0 - some, thinned));
 }
 
 // How much of a pixel all strokes cover, for an amount of light. Layers come one after the other as it gets

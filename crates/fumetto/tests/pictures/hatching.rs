@@ -276,6 +276,45 @@ fn strokes_run_as_they_are_told() {
     assert!(down > 10 * across, "light comes from the right: {across} and {down}");
 }
 
+/// A pipe along y that is open at both ends.
+fn pipe(radius: f32, half: f32, sides: u32) -> String {
+    let mut obj = String::new();
+    for side in 0..sides {
+        let (z, x) = (std::f32::consts::TAU * side as f32 / sides as f32).sin_cos();
+        for y in [-half, half] {
+            writeln!(obj, "v {} {y} {}\nvn {x} 0 {z}", radius * x, radius * z).unwrap();
+        }
+    }
+    for side in 0..sides {
+        let [a, b] = [2 * side + 1, 2 * side + 2];
+        let [c, d] = [a, b].map(|corner| (corner + 1) % (2 * sides) + 1);
+        writeln!(obj, "f {a}//{a} {b}//{b} {d}//{d} {c}//{c}").unwrap();
+    }
+    obj
+}
+
+#[test]
+fn strokes_run_round_what_bends_one_way() {
+    for (rotation, angle) in [(0, 90), (90, 0)] {
+        let keys =
+            format!("{PLAIN}, layers = 1, along = \"curvature\", angle = {angle}, length = {{ px = 0 }}");
+        let stage = stage(paper(&keys), FROM_CAMERA);
+        let stage =
+            Stage { light: "kind = \"sun\", direction = [0, 0, -1], intensity = 0.4".into(), ..stage };
+        let transform = format!("transform = {{ rotation = [0, 0, {rotation}] }}");
+        let files = Files::default().with("pipe.obj", pipe(3.0, 8.0, 96));
+        let picture = stage.mesh("pipe", "pipe.obj", &transform).picture_with(files);
+        let within = || (SIDE / 2 - 80)..(SIDE / 2 + 80);
+        let changes = |dx: u32, dy: u32| {
+            let places = within().flat_map(|y| within().map(move |x| (x, y)));
+            places.filter(|&(x, y)| picture.rgb(x, y) != picture.rgb(x + dx, y + dy)).count()
+        };
+        let (round, along) = if rotation == 0 { ((1, 0), (0, 1)) } else { ((0, 1), (1, 0)) };
+        let (round, along) = (changes(round.0, round.1), changes(along.0, along.1));
+        assert!(along > 4 * round, "{rotation} degrees: {round} round it, {along} along it");
+    }
+}
+
 #[test]
 fn the_same_seed_gives_the_same_strokes() {
     let picture = |seed: u32| {
