@@ -5,10 +5,12 @@
 //! ```
 
 mod args;
+mod boulder;
 mod cloud;
 mod cube;
 mod draw;
 mod edges;
+mod hidden;
 mod machine;
 mod measure;
 mod number;
@@ -39,6 +41,7 @@ const SUBSYSTEMS: [&Subsystem; 8] = [
     &volume::VOLUME,
     &draw::DRAW,
     &edges::EDGES,
+    &hidden::HIDDEN,
     &shadows::SHADOWS,
     &skins::SKINS,
 ];
