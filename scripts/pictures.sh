@@ -132,5 +132,8 @@ for method in hybrid vector image shell angle; do
         --set "style.ink.method=$method" --set camera.fov=24 --set 'camera.target=[1.7,2.9,0]'
 done
 
+# A drawing of shapes.
+"$fumetto" export scenes/cumulus.toml -o "$images/vector.svg" --size 960x540
+
 # The puffs' sprites: atlas.normal.png and its kin.
 "$fumetto" export scenes/cumulus.toml -o "$images/atlas.png"

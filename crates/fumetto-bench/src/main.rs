@@ -5,10 +5,12 @@
 //! ```
 
 mod args;
+mod boulder;
 mod cloud;
 mod cube;
 mod draw;
 mod edges;
+mod hidden;
 mod imported;
 mod machine;
 mod measure;
@@ -42,6 +44,7 @@ const SUBSYSTEMS: [&Subsystem; 11] = [
     &imported::IMPORTED,
     &draw::DRAW,
     &edges::EDGES,
+    &hidden::HIDDEN,
     &shadows::SHADOWS,
     &skins::SKINS,
     &paint::SPREAD,

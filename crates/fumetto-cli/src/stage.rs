@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use anyhow::Context as _;
-use fumetto::{Engine, Export, Layer, Player, Print, Shot, Tiling};
-use fumetto_formats::{Grid, Image, is_sequence};
+use fumetto::{DrawingOptions, Engine, Export, Layer, Player, Print, Shot, Tiling};
+use fumetto_formats::{Drawing, Grid, Image, is_sequence};
 use fumetto_scene::{Matter, Particle, Scene};
 
 use crate::console;
@@ -90,6 +90,13 @@ impl Stage {
         let band = print.draw_tile(&mut self.engine, &self.player);
         self.trouble.check()?;
         Ok(band?)
+    }
+
+    /// This moment as a drawing of closed shapes and lines.
+    pub(crate) fn vector(&mut self, shot: &Shot, options: &DrawingOptions) -> anyhow::Result<Drawing> {
+        let drawing = self.engine.drawing(&self.player, shot, options);
+        self.trouble.check()?;
+        Ok(drawing?)
     }
 
     /// One layer of what the picture of this moment is made from.

@@ -235,6 +235,12 @@ pub enum WriteError {
         /// What is wrong.
         problem: &'static str,
     },
+    /// A drawing that nobody could show.
+    #[error("the drawing cannot be written: {problem}")]
+    Drawing {
+        /// What is wrong.
+        problem: &'static str,
+    },
     /// More than a binary glTF file can tell the length of.
     #[error("{bytes} bytes are more than the 4 GiB of a .glb file; write .ply, or fewer objects at once")]
     GlbTooLong {

@@ -11,10 +11,12 @@
 //! | volumes: [`read_volume`] (OpenVDB, NRRD, npy), [`read_raw_volume`] | volumes: [`write_vdb`] |
 //! | pictures: [`read_png`] | pictures: [`write_png`], [`write_png_bands`] |
 //! | | animations: [`GifWriter`] |
+//! | | drawings: [`write_svg`], [`write_animated_svg`], [`write_pdf`] |
 //!
 //! Any bytes are welcome as input: they give data or an error that names the file and the place,
 //! never a panic, a hang or an allocation that the file's own length does not justify.
 
+mod drawing;
 mod error;
 mod excerpt;
 mod gif;
@@ -28,6 +30,7 @@ mod sequence;
 mod solid;
 mod volume;
 
+pub use drawing::{Drawing, Folder, Item, Paper, Shape, write_animated_svg, write_pdf, write_svg};
 pub use error::{FormatError, Position, WriteError};
 pub use gif::{GifWriter, MAX_GIF_FPS, MIN_GIF_FPS};
 pub use image::Image;

@@ -1,5 +1,9 @@
 //! How a picture is drawn: the page that reads as it happens, top to bottom.
 
+mod plates;
+
+pub(crate) use plates::Plate;
+
 use glam::Vec3;
 
 use crate::{

@@ -46,6 +46,7 @@ mod setting;
 mod shapes;
 mod tiles;
 mod tone;
+mod vector;
 
 pub use assets::Assets;
 pub use engine::{Engine, PICTURE_FORMAT, Shot};
@@ -58,3 +59,4 @@ pub use proof::{Layer, UnknownLayer};
 pub use shapes::surface::SurfaceSize;
 pub use shapes::volume::ImportError;
 pub use tiles::Tiling;
+pub use vector::{DrawingOptions, LineModel};

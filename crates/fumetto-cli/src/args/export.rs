@@ -21,6 +21,8 @@ pub(crate) enum Format {
     Ply,
     Csv,
     Vdb,
+    Svg,
+    Pdf,
 }
 
 /// What is exported.
@@ -34,6 +36,8 @@ pub(crate) enum What {
     Sprites,
     /// Volumes, as grids of density and temperature.
     Volumes,
+    /// Closed shapes of flat colours, and lines.
+    Drawings,
 }
 
 impl Format {
@@ -45,6 +49,7 @@ impl Format {
             Self::Ply => &[What::Meshes, What::Particles],
             Self::Csv => &[What::Particles],
             Self::Vdb => &[What::Volumes],
+            Self::Svg | Self::Pdf => &[What::Drawings],
         }
     }
 }
@@ -60,9 +65,11 @@ impl FromStr for ExportTarget {
             Some("ply") => Format::Ply,
             Some("csv") => Format::Csv,
             Some("vdb") => Format::Vdb,
+            Some("svg") => Format::Svg,
+            Some("pdf") => Format::Pdf,
             _ => {
-                let known = "end its name in .glb, .obj or .ply (triangles), .csv (particles), .vdb \
-                             (volumes) or .png (the pictures of all puffs)";
+                let known = "end its name in .svg or .pdf (drawings), .glb, .obj or .ply (triangles), .csv \
+                             (particles), .vdb (volumes) or .png (the pictures of all puffs)";
                 return Err(format!("its extension does not say what to export; {known}"));
             }
         };
@@ -81,7 +88,8 @@ mod tests {
         assert_eq!(format("a.ply"), Some(Format::Ply));
         assert_eq!(format("a.csv"), Some(Format::Csv));
         assert_eq!(format("a.####.vdb"), Some(Format::Vdb));
-        for name in ["", "glb", "a", "a.gltf", "a.glb/b", "a.svg"] {
+        assert_eq!(format("a.####.svg"), Some(Format::Svg));
+        for name in ["", "glb", "a", "a.gltf", "a.glb/b", "a.eps"] {
             assert_eq!(format(name), None, "{name}");
         }
     }

@@ -15,7 +15,7 @@ pub(crate) use self::{
     export::{ExportTarget, Format, What},
     frames::FrameRange,
     setting::Setting,
-    size::Size,
+    size::{Millimetres, Size},
     target::{Target, TargetKind},
 };
 
@@ -100,9 +100,10 @@ pub(crate) struct RenderArgs {
 pub(crate) struct ExportArgs {
     #[command(flatten)]
     pub(crate) scene: SceneArgs,
-    /// Where to write; the extension says what. `.glb`, `.obj` and `.ply` are triangles: surfaces and
-    /// models. `.csv`, and `.ply` with `--what particles`, are particles. `.vdb` are volumes, for OpenVDB.
-    /// `puffs.png` are the pictures of
+    /// Where to write; the extension says what. `.svg` and `.pdf` are drawings of closed shapes and lines;
+    /// with --frames, a single .svg moves and a .pdf has a page for each frame. `.glb`, `.obj` and `.ply`
+    /// are triangles: surfaces and models. `.csv`, and `.ply` with `--what particles`, are particles. `.vdb`
+    /// are volumes, for OpenVDB. `puffs.png` are the pictures of
     /// all puffs side by side, for engines that draw them as billboards: puffs.normal.png,
     /// puffs.depth.png and puffs.coverage.png. `smoke.####.glb` is a file for each frame.
     #[arg(short, long = "output", value_name = "OUT")]
@@ -120,9 +121,35 @@ pub(crate) struct ExportArgs {
     /// These frames, the first and the last included.
     #[arg(long, value_name = "A..B")]
     pub(crate) frames: Option<FrameRange>,
+    #[command(flatten)]
+    pub(crate) drawing: DrawingArgs,
     /// Print a JSON object for each file, and one at the end.
     #[arg(long)]
     pub(crate) json: bool,
+}
+
+/// What only drawings have.
+#[derive(Args, Debug)]
+pub(crate) struct DrawingArgs {
+    /// Of a drawing: width and height in pixels, in place of the scene's.
+    #[arg(long, value_name = "WxH")]
+    pub(crate) size: Option<Size>,
+    /// Of a drawing: its width on paper in millimetres. Default: 96 pixels to the inch.
+    #[arg(long, value_name = "MM")]
+    pub(crate) width_mm: Option<Millimetres>,
+    /// Of a drawing: the camera to look through. Default: the first.
+    #[arg(long, value_name = "NAME")]
+    pub(crate) camera: Option<String>,
+    /// Of a drawing: only lines, along their middles, for machines that hold a pen.
+    #[arg(long)]
+    pub(crate) plotter: bool,
+}
+
+impl DrawingArgs {
+    /// Whether any of it is said.
+    pub(crate) fn is_any(&self) -> bool {
+        self.size.is_some() || self.width_mm.is_some() || self.camera.is_some() || self.plotter
+    }
 }
 
 #[derive(Args, Debug)]

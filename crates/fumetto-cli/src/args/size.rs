@@ -6,6 +6,25 @@ use fumetto_scene::limits::PICTURE_PX;
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
 pub(crate) struct Size(pub(crate) [u32; 2]);
 
+/// A width on paper.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Millimetres(pub(crate) f64);
+
+/// The widest paper in millimetres: as large as PDF's viewers show.
+const WIDEST_MM: f64 = 5080.0;
+
+impl FromStr for Millimetres {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let width: Option<f64> = text.parse().ok();
+        let in_range = width.filter(|width| (1.0..=WIDEST_MM).contains(width));
+        in_range
+            .map(Self)
+            .ok_or_else(|| format!("write a width from 1 to {WIDEST_MM} millimetres, as in 210"))
+    }
+}
+
 impl FromStr for Size {
     type Err = String;
 
@@ -33,6 +52,14 @@ mod tests {
     fn sizes_are_width_and_height() {
         assert_eq!("64x36".parse(), Ok(Size([64, 36])));
         assert_eq!("32768X32768".parse(), Ok(Size([32_768, 32_768])));
+    }
+
+    #[test]
+    fn widths_are_in_millimetres() {
+        assert_eq!("297.5".parse(), Ok(Millimetres(297.5)));
+        for text in ["", "0", "-3", "NaN", "inf", "1e9", "21cm"] {
+            assert!(text.parse::<Millimetres>().is_err(), "{text}");
+        }
     }
 
     #[test]

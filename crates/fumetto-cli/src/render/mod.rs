@@ -8,7 +8,7 @@ mod sink;
 pub(crate) use self::{
     names::with_part,
     picture::{DrawTile, Picture},
-    plan::Plan,
+    plan::{Plan, chosen_camera},
     sink::Sink,
 };
 

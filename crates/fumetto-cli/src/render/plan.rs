@@ -41,7 +41,7 @@ impl Plan {
         let is_one = args.out.kind == TargetKind::Picture;
         let frames = FrameRange::chosen(args.frame, args.frames, is_one, scene.time.frames);
         let shot = Shot {
-            camera: camera(scene, args.camera.as_deref())?,
+            camera: chosen_camera(scene, args.camera.as_deref())?,
             size: args.size.map_or(scene.output.size, |size| size.0),
             antialias: args.antialias.unwrap_or(scene.output.antialias),
         };
@@ -73,7 +73,8 @@ impl Plan {
     }
 }
 
-fn camera(scene: &Scene, name: Option<&str>) -> Result<Camera, Stop> {
+/// The camera of that name, or the first.
+pub(crate) fn chosen_camera(scene: &Scene, name: Option<&str>) -> Result<Camera, Stop> {
     let found = match name {
         Some(name) => scene.cameras.iter().find(|camera| camera.name == name),
         None => scene.cameras.first(),

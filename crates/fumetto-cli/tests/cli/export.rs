@@ -124,3 +124,39 @@ fn volumes_go_through_openvdb_and_back() {
     let problems = folder.run(&["check", "broken.toml"]).ends(1).out;
     assert!(problems.contains("the volume of `puff`: puff.toml.vdb"), "{problems}");
 }
+
+#[test]
+fn drawings_are_files_pages_and_animations() {
+    let folder = Folder::with_smoke();
+    let text = |name: &str| String::from_utf8(folder.bytes(name)).unwrap();
+    let ran = folder.run(&["export", "smoke.toml", "-o", "a.svg", "--frame", "4", "--json"]).ends(0);
+    let told = &lines(&ran.out)[0];
+    assert!(told["shapes"].as_u64().unwrap() > 2 && told["segments"].as_u64().unwrap() > 8, "{told}");
+    let svg = text("a.svg");
+    for says in [
+        r#"viewBox="0 0 64 36""#,
+        r#"inkscape:label="tones""#,
+        r#"id="tones-smoke-tone-f4f7f9""#,
+        r##"fill="#f4f7f9""##,
+        r#"id="lines-smoke-silhouette""#,
+    ] {
+        assert!(svg.contains(says), "{says} is not in {svg}");
+    }
+
+    let many = |name: &str| folder.run(&["export", "smoke.toml", "-o", name, "--frames", "2..5"]).ends(0);
+    many("b.svg").says(&["wrote b.svg: 4 frames"]);
+    assert_eq!(text("b.svg").matches("<animate ").count(), 4);
+    many("c.#.svg");
+    assert_eq!(text("c.2.svg"), text("c.3.svg"), "drawn on twos");
+    many("d.pdf");
+    assert!(String::from_utf8_lossy(&folder.bytes("d.pdf")).contains("/Count 4"));
+
+    let plot = ["export", "smoke.toml", "-o", "e.svg", "--plotter", "--width-mm", "210", "--size", "128x72"];
+    folder.run(&plot).ends(0);
+    let plot = text("e.svg");
+    assert!(
+        plot.contains(r#"width="210mm""#) && plot.contains("stroke-width") && !plot.contains("paper"),
+        "{plot}"
+    );
+    assert!(!plot.contains(r##"fill="#"##), "{plot}");
+}

@@ -22,7 +22,9 @@ fn unknown_extensions_list_those_known() {
     refused(&["render", "smoke.toml", "-o", "a.bmp"], &["a.bmp", ".png", ".gif"]);
     refused(&["render", "smoke.toml", "-o", "a"], &[".png", ".gif"]);
     refused(&["render", "smoke.toml", "-o", "a.####.gif"], &["all frames"]);
-    refused(&["export", "smoke.toml", "-o", "a.svg"], &["a.svg", ".glb", ".png"]);
+    refused(&["export", "smoke.toml", "-o", "a.eps"], &["a.eps", ".svg", ".glb", ".png"]);
+    refused(&["export", "smoke.toml", "-o", "a.glb", "--plotter"], &["--plotter", ".svg"]);
+    refused(&["export", "smoke.toml", "-o", "a.svg", "--width-mm", "0"], &["--width-mm", "millimetres"]);
 }
 
 #[test]

@@ -19,7 +19,7 @@ pub(crate) use image::Image;
 pub(crate) use inner::Inner;
 pub(crate) use methods::Methods;
 pub(crate) use outline::Outline;
-pub(crate) use pen::{MAX_PENS, Pen};
+pub(crate) use pen::{MAX_PENS, Pen, follows_edges};
 pub(crate) use shell::Shell;
 pub(crate) use vector::Vector;
 

@@ -50,11 +50,8 @@ impl Pen {
             Width::Px(px) => (px * scale, 0.0),
             Width::World(metres) => (0.0, metres),
         };
-        let draws = ink.on && pen.on && (width_px > 0.0 || width_m > 0.0);
-        let follows_edges = draws
-            && in_cel
-            && (matches!(object.matter, Matter::Mesh(_)) || object.shape.surface().is_some())
-            && matches!(ink_method(object), InkMethod::Vector | InkMethod::Hybrid);
+        let draws = draws(object, kind);
+        let follows_edges = in_cel && follows_edges(object, kind);
         let flag = |on, bit| if on { bit } else { 0 };
         Self {
             colour: ink.colour_of(kind).to_srgb8().map(|channel| f32::from(channel) / 255.0),
@@ -80,6 +77,20 @@ impl Pen {
     pub(crate) fn shortest_line_px(&self) -> f32 {
         self.shortest_px
     }
+}
+
+/// Whether an object's edges of a kind are drawn at all.
+fn draws(object: &Object, kind: EdgeKind) -> bool {
+    let ink = &object.style.ink;
+    let (Width::Px(width) | Width::World(width)) = ink.width_of(kind);
+    ink.on && ink.pen(kind).on && width > 0.0
+}
+
+/// Whether they are drawn along triangles.
+pub(crate) fn follows_edges(object: &Object, kind: EdgeKind) -> bool {
+    draws(object, kind)
+        && (matches!(object.matter, Matter::Mesh(_)) || object.shape.surface().is_some())
+        && matches!(ink_method(object), InkMethod::Vector | InkMethod::Hybrid)
 }
 
 #[cfg(test)]

@@ -1,13 +1,13 @@
 use std::path::Path;
 
 use fumetto_formats::{
-    Grid, Solid, VdbOptions, write_glb, write_mtl, write_obj, write_particles_csv, write_particles_ply,
-    write_solids_ply, write_vdb,
+    Drawing, Grid, Solid, VdbOptions, write_glb, write_mtl, write_obj, write_particles_csv,
+    write_particles_ply, write_pdf, write_solids_ply, write_svg, write_vdb,
 };
 use fumetto_scene::Particle;
 use serde_json::{Value, json};
 
-use super::Plan;
+use super::{Plan, drawings};
 use crate::args::{Format, What};
 use crate::output;
 use crate::stage::Stage;
@@ -20,11 +20,15 @@ pub(super) enum Contents {
     Meshes { solids: Vec<Solid>, notes: Vec<String> },
     Particles(Vec<Particle>),
     Volumes(Vec<Grid>),
+    Drawing(Box<Drawing>),
 }
 
 impl Contents {
     /// Of the moment that `stage` is at.
-    pub(super) fn of(plan: &Plan, stage: &Stage) -> anyhow::Result<Self> {
+    pub(super) fn of(plan: &Plan, stage: &mut Stage) -> anyhow::Result<Self> {
+        if plan.what == What::Drawings {
+            return Ok(Self::Drawing(Box::new(stage.vector(&plan.shot, &plan.options)?)));
+        }
         if plan.what == What::Particles {
             let mut particles = Vec::new();
             for &object in &plan.objects {
@@ -48,7 +52,7 @@ impl Contents {
     pub(super) fn notes(&self) -> &[String] {
         match self {
             Self::Meshes { notes, .. } => notes,
-            Self::Particles(_) | Self::Volumes(_) => &[],
+            Self::Particles(_) | Self::Volumes(_) | Self::Drawing(_) => &[],
         }
     }
 
@@ -60,6 +64,11 @@ impl Contents {
             }
             Self::Particles(particles) => output::write(path, |draft| write_particles_ply(particles, draft)),
             Self::Volumes(grids) => output::write(path, |draft| write_vdb(grids, PACKED, draft)),
+            Self::Drawing(drawing) if plan.target.format == Format::Pdf => {
+                let page = std::slice::from_ref(&**drawing);
+                output::write(path, |draft| write_pdf(page, draft))
+            }
+            Self::Drawing(drawing) => output::write(path, |draft| write_svg(drawing, draft)),
             Self::Meshes { solids, .. } => match plan.target.format {
                 Format::Obj => write_obj_and_mtl(solids, path),
                 Format::Ply => output::write(path, |draft| write_solids_ply(solids, draft)),
@@ -82,6 +91,7 @@ impl Contents {
                     json!({ "voxels": voxels, "grids": names }),
                 )
             }
+            Self::Drawing(drawing) => drawings::told(drawing),
             Self::Meshes { solids, notes } => {
                 let triangles: usize = solids.iter().map(Solid::triangle_count).sum();
                 let vertices: usize = solids.iter().map(|solid| solid.positions.len()).sum();

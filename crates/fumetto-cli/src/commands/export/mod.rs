@@ -1,6 +1,7 @@
 //! `fumetto export`
 
 mod contents;
+mod drawings;
 mod plan;
 
 use std::path::Path;
@@ -28,7 +29,10 @@ pub(crate) fn run(args: &ExportArgs) -> anyhow::Result<ExitCode> {
     let start = Instant::now();
     let files = match what {
         What::Sprites => sprites(&plan, &stage)?,
-        What::Meshes | What::Particles | What::Volumes => frames(&plan, &mut stage, &interrupt)?,
+        What::Drawings if plan.is_one_of_many() => drawings::together(&plan, &mut stage, &interrupt)?,
+        What::Meshes | What::Particles | What::Volumes | What::Drawings => {
+            frames(&plan, &mut stage, &interrupt)?
+        }
     };
     plan.tell(&json!({
         "done": true,

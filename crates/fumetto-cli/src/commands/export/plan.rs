@@ -1,10 +1,11 @@
+use fumetto::{DrawingOptions, Shot};
 use fumetto_formats::{is_sequence, sequence_path};
 use fumetto_scene::{Matter, Object, Scene};
 
-use crate::args::{ExportArgs, ExportTarget, FrameRange, What};
+use crate::args::{DrawingArgs, ExportArgs, ExportTarget, FrameRange, What};
 use crate::console;
 use crate::exit::Stop;
-use crate::render::with_part;
+use crate::render::{chosen_camera, with_part};
 
 /// What is to be exported, from the scene and the command line.
 pub(super) struct Plan {
@@ -13,6 +14,11 @@ pub(super) struct Plan {
     pub(super) frames: FrameRange,
     /// Numbers of the objects that are written.
     pub(super) objects: Vec<usize>,
+    /// Of drawings.
+    pub(super) shot: Shot,
+    pub(super) options: DrawingOptions,
+    /// Frames in a second.
+    pub(super) fps: f32,
     json: bool,
 }
 
@@ -27,6 +33,7 @@ pub(super) fn what(args: &ExportArgs) -> Result<What, Stop> {
             What::Particles => ".ply or .csv",
             What::Sprites => ".png",
             What::Volumes => ".vdb",
+            What::Drawings => ".svg or .pdf",
         };
         return wrong(format!("{name} cannot hold what --what asks for; end its name in {fitting}"));
     }
@@ -37,7 +44,13 @@ pub(super) fn what(args: &ExportArgs) -> Result<What, Stop> {
              leave --frame, --frames, --object and the place for a number out"
         ));
     }
-    if !is_sequence(name) && args.frames.is_some_and(|frames| frames.len() > 1) {
+    if what != What::Drawings && args.drawing.is_any() {
+        return wrong(format!(
+            "--size, --width-mm, --camera and --plotter are for drawings; {name} is none. End its name in .svg or .pdf"
+        ));
+    }
+    let is_one = !is_sequence(name) && what != What::Drawings;
+    if is_one && args.frames.is_some_and(|frames| frames.len() > 1) {
         let sequence = with_part(name, "####");
         return wrong(format!("{name} holds one frame; for --frames name a sequence such as {sequence}"));
     }
@@ -49,12 +62,26 @@ impl Plan {
         let is_one = !is_sequence(&args.out.name);
         let frames = FrameRange::chosen(args.frame, args.frames, is_one, scene.time.frames);
         let objects = if what == What::Sprites { Vec::new() } else { objects(args, what, scene)? };
-        Ok(Self { what, target: args.out.clone(), frames, objects, json: args.json })
+        let DrawingArgs { size, width_mm, camera, plotter } = &args.drawing;
+        let shot = Shot {
+            camera: chosen_camera(scene, camera.as_deref())?,
+            size: size.map_or(scene.output.size, |size| size.0),
+            antialias: scene.output.antialias,
+        };
+        let width_mm = width_mm.map(|width| width.0);
+        let options = DrawingOptions { objects: objects.clone(), plotter: *plotter, width_mm };
+        let (target, fps, json) = (args.out.clone(), scene.time.fps, args.json);
+        Ok(Self { what, target, frames, objects, shot, options, fps, json })
     }
 
     /// The file that `frame` goes to.
     pub(super) fn file(&self, frame: u32) -> String {
         sequence_path(&self.target.name, frame)
+    }
+
+    /// Whether several frames go into one file.
+    pub(super) fn is_one_of_many(&self) -> bool {
+        !is_sequence(&self.target.name) && self.frames.len() > 1
     }
 
     /// Prints a line for programs, if they want any.
@@ -88,6 +115,7 @@ fn objects(args: &ExportArgs, what: What, scene: &Scene) -> anyhow::Result<Vec<u
                 "no object that is to be written is a volume. Give one `shape = { volume = {} }`, or write its \
                  surface or its particles"
             }
+            What::Drawings => "there is no object to be drawn",
             What::Meshes | What::Sprites => {
                 "no object that is to be written has triangles; puffs have none. Give one \
                  `shape = { surface = {} }`, or write particles: --what particles, into a .ply or .csv"
@@ -96,12 +124,13 @@ fn objects(args: &ExportArgs, what: What, scene: &Scene) -> anyhow::Result<Vec<u
         anyhow::bail!("{}: {problem}", args.scene.scene.display());
     }
     for (_, object) in wanted().filter(|(_, object)| !holds(object, what)) {
-        let has = match what {
-            What::Meshes | What::Sprites => "triangles",
-            What::Particles => "particles",
-            What::Volumes => "volume",
+        let why = match what {
+            What::Meshes | What::Sprites => "has no triangles",
+            What::Particles => "has no particles",
+            What::Volumes => "has no volume",
+            What::Drawings => "is not visible",
         };
-        console::say(&format!("note: `{}` has no {has} and is left out", object.name));
+        console::say(&format!("note: `{}` {why} and is left out", object.name));
     }
     Ok(found)
 }
@@ -112,6 +141,7 @@ fn holds(object: &Object, what: What) -> bool {
         What::Meshes => is_model || object.shape.surface().is_some(),
         What::Particles => !is_model && !matches!(object.matter, Matter::Imported(_) | Matter::Paint(_)),
         What::Volumes => !is_model && object.shape.volume().is_some(),
+        What::Drawings => object.visible,
         What::Sprites => false,
     }
 }

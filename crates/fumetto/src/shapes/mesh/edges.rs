@@ -23,6 +23,13 @@ pub(crate) struct Candidate {
     pub(crate) pad: u32,
 }
 
+impl Candidate {
+    /// Number of the object that it belongs to.
+    pub(crate) fn object(&self) -> usize {
+        (self.bits >> OBJECT_SHIFT) as usize
+    }
+}
+
 /// Bits of a candidate, as in `candidate.wgsl`. The first four are those of the kinds of edges.
 pub(crate) mod bit {
     pub(crate) const CONTOUR: u32 = 1;

@@ -51,6 +51,18 @@ pub(crate) struct Part {
 pub(super) const DOUBLE_SIDED: u32 = 16;
 const NO_SOURCES: u32 = 32;
 
+impl Part {
+    /// Whether it is seen from behind, too.
+    pub(crate) fn is_double_sided(&self) -> bool {
+        self.look & DOUBLE_SIDED != 0
+    }
+
+    /// Whether its texture may cut holes into it.
+    pub(crate) fn has_holes(&self) -> bool {
+        self.texture >= 0 && self.look >> 16 != 0
+    }
+}
+
 /// All models of a scene, copies counted singly.
 #[derive(Debug, Default)]
 pub(crate) struct Geometry {

@@ -21,12 +21,12 @@ mod weld;
 pub(crate) use body::Body;
 pub(crate) use edge_scene::LineScene;
 pub(crate) use edges::candidates;
-#[cfg(test)]
 pub(crate) use edges::{Candidate, bit};
-pub(crate) use geometry::{Geometry, Triangle, world_from_file};
+pub(crate) use geometry::{Geometry, Part, Triangle, world_from_file};
 pub(crate) use place::Place;
 pub(crate) use reserved::Reserved;
 pub(crate) use scene::{Casters, MeshError, MeshScene};
+pub(crate) use sets::Sets;
 pub(crate) use shells::Shells;
 pub(crate) use smooth::unpacked;
 
