@@ -43,6 +43,9 @@ draw metamorphosis metamorphosis.png --frame 60 "${large[@]}"
 draw storm storm.png "${large[@]}"
 draw puff-fuzzy puff-fuzzy.png "${large[@]}"
 draw engraving engraving.png --size 960x540 # strokes want room
+draw sketch sketch.png "${large[@]}"
+draw cloud-ink cloud-ink.png "${large[@]}"
+draw smoke-sketch smoke-sketch.png --frame 150 "${large[@]}"
 draw chimney chimney.gif --frames 144..191 --size 320x180
 
 # The first scene of README.md, as it stands there, and two ways for its smoke to end.
@@ -119,6 +122,9 @@ for method in hybrid vector image shell angle; do
     draw cottage "line-$method.png" --frame 120 --size 320x240 --set style.height=440 \
         --set "style.ink.method=$method" --set camera.fov=24 --set 'camera.target=[1.7,2.9,0]'
 done
+
+# The hand's tools, each along a cloud.
+draw strokes strokes.png "${large[@]}"
 
 # The puffs' sprites: atlas.normal.png and its kin.
 "$fumetto" export scenes/cumulus.toml -o "$images/atlas.png"

@@ -9,6 +9,7 @@ mod cloud;
 mod cube;
 mod draw;
 mod edges;
+mod flicker;
 mod machine;
 mod measure;
 mod number;
@@ -17,6 +18,7 @@ mod scene;
 mod shadows;
 mod skins;
 mod step;
+mod strokes;
 mod subsystem;
 mod surface;
 mod volume;
@@ -32,7 +34,7 @@ use report::{Report, Row, Table};
 use subsystem::Subsystem;
 
 /// Everything that is measured, in the order of the report.
-const SUBSYSTEMS: [&Subsystem; 8] = [
+const SUBSYSTEMS: [&Subsystem; 9] = [
     &step::STEP,
     &vortex::VORTEX,
     &surface::SURFACE,
@@ -41,6 +43,7 @@ const SUBSYSTEMS: [&Subsystem; 8] = [
     &edges::EDGES,
     &shadows::SHADOWS,
     &skins::SKINS,
+    &strokes::STROKES,
 ];
 
 fn main() -> anyhow::Result<()> {

@@ -6,7 +6,7 @@ use crate::{
     Player, Shot,
     cels::{Cel, cels},
     gpu::{Compact, DrawList, Frame, Gpu, Region, Target, TexturePool, Transient, View},
-    ink::{Angle, Gather, INK_FORMAT, Image, InkAround, Inner, Methods, Outline, Pen, Shell, Vector},
+    ink::{Angle, Gather, INK_FORMAT, Image, InkAround, Inner, Methods, Moment, Outline, Pen, Shell, Strokes, Vector},
     layers::Layers,
     lengths::SETTLE,
     light::{Casting, LightsUniform, Shadows, Soften, Volumes},
@@ -48,6 +48,8 @@ pub(crate) struct Painter {
     copied: Copied,
     veil: Veil,
     compose: Compose,
+    /// Once a scene has any.
+    pub(crate) strokes: Option<Strokes>,
     room: Option<Room>,
 }
 
@@ -87,6 +89,7 @@ impl Painter {
             copied: Copied::new(gpu),
             veil: Veil::new(gpu),
             compose: Compose::new(gpu),
+            strokes: None,
             room: None,
         }
     }
@@ -153,11 +156,20 @@ impl Painter {
     fn set<'a>(&mut self, gpu: &Gpu, player: &'a Player, shot: &Shot, region: Region) -> Setting<'a> {
         let view = View::new(&shot.camera, region);
         self.make_room(gpu, &player.puffs, view.size);
+        if player.strokes.is_some() {
+            self.strokes.get_or_insert_with(|| Strokes::new(gpu, &player.meshes)).make_room(gpu, &player.meshes);
+        }
         let scene = player.scene();
         let lights = LightsUniform::of(scene);
         let features = Features::of(&scene.objects, !player.meshes.is_empty());
         self.flat.prepare(gpu, features);
-        Setting { player, view, lights, features, sheet: Sheet { region, samples: shot.antialias } }
+        let sheet = Sheet { region, samples: shot.antialias };
+        let moment = Moment {
+            frame: player.shown.unwrap_or(0),
+            picture_height: view.picture_height,
+            reference_m: Vec3::from(shot.camera.eye).distance(shot.camera.target.into()),
+        };
+        Setting { player, view, lights, features, sheet, moment }
     }
 
     /// Draws one cel over what lies under it; `known` is the ink around in all of the picture, if that is
@@ -180,7 +192,8 @@ impl Painter {
         let layers = self.fill(frame, subject, room, filled, opaque);
         let shadow = self.shadow(frame, subject, setting, room, &layers);
         // Where nothing is averaged or half transparent, tones go straight into the picture.
-        let own = (setting.sheet.samples > 1 || opaque.is_some())
+        let blends = opaque.is_some() || setting.strokes(&cel.members).is_some();
+        let own = (setting.sheet.samples > 1 || blends)
             .then(|| frame.texture("tone.cel", layers.size, CEL_FORMAT));
         let canvas = Canvas { view: own.as_deref().unwrap_or(target), is_picture: own.is_none() };
         if canvas.is_picture {
@@ -314,6 +327,10 @@ impl Painter {
         let along_edges = setting.pens(members).iter().any(Pen::follows_edges);
         let lines =
             along_edges.then(|| self.vector.record(frame, subject, &self.compact, (layers, members), ink));
+        if let (Some(strokes), Some(drawing), Some(depth)) = (&self.strokes, setting.strokes(members), &lines) {
+            let seen = (layers, members);
+            strokes.record(frame, subject, &self.compact, &drawing, seen, (ink, depth));
+        }
         if let Some(bins) = bins.filter(|_| methods.outline) {
             let depth = lines.as_ref().unwrap_or(&layers.depth);
             self.outline.record(frame, subject, bins, (layers, depth), ink);

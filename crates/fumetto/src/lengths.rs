@@ -3,7 +3,7 @@
 
 use fumetto_scene::Object;
 
-use crate::ink::Methods;
+use crate::ink::{self, Methods};
 
 /// Shadows are cleaned over this many times the length that tones are: their specks come of single puffs,
 /// which are larger than the bumps on them.
@@ -34,7 +34,8 @@ pub(crate) fn reach_px(objects: &[&Object], height_px: u32) -> f32 {
     let methods = Methods::of(objects, &members, height_px);
     // A flood jumps up to twice as far as it reaches; a line asks what hides its middle.
     let widths = if methods.image || methods.hybrid { 2.0 } else { 1.0 };
+    let strokes = objects.iter().map(|object| ink::reach_px(object, height_px)).fold(0.0, f32::max);
     // It is smoothed in two rounds.
     let smooth = smooth_px(objects, height_px).map_or(0.0, |px| 1.5 * px + TEXELS_PX);
-    (SETTLE * clean_px(objects, height_px)).max(widths * methods.radius_px).max(smooth) + TEXELS_PX
+    (SETTLE * clean_px(objects, height_px)).max(widths * methods.radius_px).max(smooth).max(strokes) + TEXELS_PX
 }

@@ -6,7 +6,7 @@ use crate::{
     Player,
     cels::Cel,
     gpu::{Frame, Gpu, View},
-    ink::{MAX_PENS, Pen},
+    ink::{Drawing, MAX_PENS, Moment, Pen, StrokeStyle},
     lengths::{clean_px, smooth_px},
     light::LightsUniform,
     object::ObjectStyle,
@@ -20,6 +20,7 @@ pub(crate) struct Setting<'a> {
     pub(crate) lights: LightsUniform,
     pub(crate) features: Features,
     pub(crate) sheet: Sheet,
+    pub(crate) moment: Moment,
 }
 
 impl Setting<'_> {
@@ -39,6 +40,15 @@ impl Setting<'_> {
     /// The pens that draw the cel of the objects that `members` numbers.
     pub(crate) fn pens(&self, members: &[usize]) -> [Pen; MAX_PENS] {
         Pen::of_all(&self.player.drawn(), &self.player.details.with(members), self.view.picture_height)
+    }
+
+    /// How strokes are drawn, where there are any in what `members` numbers.
+    pub(crate) fn strokes(&self, members: &[usize]) -> Option<Drawing<'_>> {
+        let textures = self.player.strokes.as_ref()?;
+        self.pens(members).iter().any(Pen::has_strokes).then(|| {
+            let styles = StrokeStyle::of_all(&self.player.drawn(), textures, self.moment);
+            Drawing { textures, styles, picture_height: self.view.picture_height }
+        })
     }
 
     /// The objects of a cel.

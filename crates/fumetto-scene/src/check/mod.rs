@@ -14,6 +14,7 @@ mod ramp;
 mod scene;
 mod shape;
 mod smoke;
+mod stroke;
 mod style;
 mod tones;
 mod values;

@@ -10,6 +10,7 @@ mod morph;
 mod object;
 mod scene;
 mod smoke;
+mod stroke;
 mod style;
 mod surface;
 mod tones;
@@ -24,6 +25,7 @@ pub use morph::{EaseFile, MorphFile};
 pub use object::{ObjectFile, ObjectKind, ParticleFile, ParticlesFile, PuffsFile, ShapeFile};
 pub use scene::{BackgroundFile, CameraFile, LightFile, OutputFile, SceneFile, TimeFile};
 pub use smoke::{BurstFile, EmitterFile, EmitterShapeFile, ForceFile};
+pub use stroke::StrokeFile;
 pub use style::{PixelsFile, ShadingFile, ShadowFile, StyleFile};
 pub use surface::{DetailFile, NoiseFile, SurfaceFile};
 pub use tones::{

@@ -2,12 +2,13 @@
 
 use std::collections::BTreeMap;
 
-use fumetto_scene::{Background, Ink, InkMethod, Ramp, RampImage, Scene};
+use fumetto_scene::{Background, Ink, InkMethod, Object, Ramp, RampImage, Scene, StrokeTexture};
 
 use crate::{
     Assets, Error,
     assets::load_image,
     gpu::Gpu,
+    ink::StrokeTextures,
     tone::{Backdrop, Ramps},
 };
 
@@ -30,6 +31,18 @@ pub(super) fn load_backdrop(gpu: &Gpu, scene: &Scene, assets: &dyn Assets) -> Re
         _ => None,
     };
     Ok(Backdrop::new(gpu, &scene.background, image.as_ref()))
+}
+
+pub(super) fn load_strokes(gpu: &Gpu, scene: &Scene, assets: &dyn Assets) -> Result<StrokeTextures, Error> {
+    let mut images = BTreeMap::new();
+    for stroke in scene.objects.iter().flat_map(Object::inks).flat_map(Ink::strokes) {
+        if let StrokeTexture::File(path) = &stroke.texture
+            && !images.contains_key(path)
+        {
+            images.insert(path.clone(), load_image(assets, path)?);
+        }
+    }
+    Ok(StrokeTextures::new(gpu, &images))
 }
 
 /// For each object the angle from which on edges are creases, where it wants lines along them.

@@ -9,23 +9,24 @@ mod volumes;
 pub(crate) use matter::{PlayedMatter, PlayedModel, PlayedObject};
 
 use fumetto_formats::sequence_path;
-use fumetto_scene::{InkMethod, Matter, Object, Particle, Scene, Shape};
+use fumetto_scene::{Ink, InkMethod, Matter, Object, Particle, Scene, Shape};
 
 use crate::{
     Assets, Error,
     assets::load_particles,
     details::{Details, Layer},
     gpu::Gpu,
+    ink::StrokeTextures,
     particles::Plume,
     shapes::{
-        mesh::{Geometry, MeshScene, Shells, candidates},
+        mesh::{Geometry, MeshScene, Shells, candidates, seams},
         puffs::{Placement, PuffScene, still_puffs},
         surface::SurfaceScene,
         volume::VolumeScene,
     },
     tone::{Backdrop, Ramps},
 };
-use looks::{crease_degs, load_backdrop, load_ramps};
+use looks::{crease_degs, load_backdrop, load_ramps, load_strokes};
 use matter::{note_on_nothing, play_matter, play_mesh, seed_of};
 use puffs::{atlas, check_room, place, variants_of};
 use surfaces::{add_surface, surfaces};
@@ -44,6 +45,8 @@ pub struct Player {
     pub(crate) geometry: Geometry,
     pub(crate) ramps: Ramps,
     pub(crate) backdrop: Backdrop,
+    /// Where anything has strokes.
+    pub(crate) strokes: Option<StrokeTextures>,
     /// Steps of the simulation done so far.
     pub(crate) steps: u64,
     /// The frame that is shown.
@@ -100,7 +103,11 @@ impl Player {
         let casts =
             |object: u32| scene.objects.get(object as usize).is_some_and(|object| scene.casts(object));
         let shells = Shells::new(&geometry, casts);
-        let meshes = MeshScene::new(gpu, &geometry, &shells, &candidates(&geometry, &crease_degs(&scene)))?;
+        let has_strokes = scene.objects.iter().flat_map(Object::inks).any(Ink::has_strokes);
+        let seams = if has_strokes { seams(&geometry) } else { Vec::new() };
+        let candidates = candidates(&geometry, &crease_degs(&scene));
+        let meshes = MeshScene::new(gpu, &geometry, &shells, &candidates, &seams)?;
+        let strokes = if has_strokes { Some(load_strokes(gpu, &scene, &*assets)?) } else { None };
         let ramps = load_ramps(gpu, &scene, &*assets)?;
         let backdrop = load_backdrop(gpu, &scene, &*assets)?;
         let (steps, shown) = (0, None);
@@ -116,6 +123,7 @@ impl Player {
             geometry,
             ramps,
             backdrop,
+            strokes,
             steps,
             shown,
             notes,
@@ -170,12 +178,13 @@ impl Player {
             Shape::Surface(surface) => surface.drifts(),
             Shape::Volume(volume) => volume.drifts(),
         };
+        let boils = |object: &Object| object.inks().flat_map(Ink::strokes).any(|stroke| stroke.boil > 0);
         let stands = |object: &PlayedObject| match &object.matter {
             PlayedMatter::Still(_) => !drifts(&self.scene.objects[object.placement.object as usize]),
             PlayedMatter::Sequence(..) | PlayedMatter::Morph(_) | PlayedMatter::Smoke(_) => false,
             PlayedMatter::Model(played) => !played.model.is_animated(),
         };
-        if self.objects.iter().all(stands) { 0 } else { self.held(frame) }
+        if self.objects.iter().all(stands) && !self.scene.objects.iter().any(boils) { 0 } else { self.held(frame) }
     }
 
     /// The frame whose state is drawn when `frame` is asked for: every second one on twos.

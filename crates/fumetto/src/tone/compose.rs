@@ -200,7 +200,8 @@ impl Compose {
 }
 
 impl<'a> Under<'a> {
-    /// The image to lay, if any, and how: 1 stretched over the picture, 2 scaled to cover it.
+    /// The image to lay, if any, and how: 1 stretched over the picture, 2 scaled to cover it,
+    /// 3 repeated.
     fn image(self) -> Option<(u32, &'a wgpu::TextureView)> {
         match self {
             Self::Backdrop(Backdrop::Transparent) => None,
@@ -208,6 +209,7 @@ impl<'a> Under<'a> {
                 Some((1, image))
             }
             Self::Backdrop(Backdrop::Image(image)) => Some((2, image)),
+            Self::Backdrop(Backdrop::Paper(image)) => Some((3, image)),
         }
     }
 }

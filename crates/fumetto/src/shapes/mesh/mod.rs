@@ -10,6 +10,7 @@ mod place;
 mod push;
 mod reserved;
 mod scene;
+mod seams;
 mod sets;
 mod shells;
 mod smooth;
@@ -27,6 +28,7 @@ pub(crate) use geometry::{Geometry, Triangle};
 pub(crate) use place::Place;
 pub(crate) use reserved::Reserved;
 pub(crate) use scene::{Casters, MeshError, MeshScene};
+pub(crate) use seams::seams;
 pub(crate) use shells::Shells;
 pub(crate) use smooth::unpacked;
 
