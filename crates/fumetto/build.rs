@@ -504,15 +504,7 @@ const PROGRAMS: &[(&str, &[&str])] = &[
             "ink/stroke/pieces",
         ],
     ),
-    (
-        "ink/stroke/meet",
-        &[
-            "gpu/random",
-            "gpu/octahedral",
-            "ink/stroke/record",
-            "ink/stroke/meet",
-        ],
-    ),
+    ("ink/stroke/meet", &["gpu/random", "gpu/octahedral", "ink/stroke/record", "ink/stroke/meet"]),
     ("ink/stroke/chain", &["ink/stroke/record", "ink/stroke/turn", "ink/stroke/chain"]),
     ("ink/stroke/starts", &["ink/stroke/record", "ink/stroke/joint", "ink/stroke/starts"]),
     ("ink/stroke/place", &["ink/stroke/record", "ink/stroke/turn", "ink/stroke/joint", "ink/stroke/place"]),

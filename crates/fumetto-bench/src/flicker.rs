@@ -16,7 +16,8 @@ const EVERY: usize = 2;
 /// nothing moves farther than `motion` pixels.
 pub(crate) fn flicker(before: &Ink, after: &Ink, motion: i64) -> f64 {
     let ways = [before.unexplained(after, motion), after.unexplained(before, motion)];
-    let [changed, all] = ways.into_iter().fold([0.0; 2], |[changed, all], way| [changed + way[0], all + way[1]]);
+    let [changed, all] =
+        ways.into_iter().fold([0.0; 2], |[changed, all], way| [changed + way[0], all + way[1]]);
     if all > 0.0 { changed / all } else { 0.0 }
 }
 

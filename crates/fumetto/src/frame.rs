@@ -6,7 +6,10 @@ use crate::{
     Player, Shot,
     cels::{Cel, cels},
     gpu::{Compact, DrawList, Frame, Gpu, Region, Target, TexturePool, Transient, View},
-    ink::{Angle, Gather, INK_FORMAT, Image, InkAround, Inner, Methods, Moment, Outline, Pen, Shell, Strokes, Vector},
+    ink::{
+        Angle, Gather, INK_FORMAT, Image, InkAround, Inner, Methods, Moment, Outline, Pen, Shell, Strokes,
+        Vector,
+    },
     layers::Layers,
     lengths::SETTLE,
     light::{Casting, LightsUniform, Shadows, Soften, Volumes},
@@ -157,7 +160,9 @@ impl Painter {
         let view = View::new(&shot.camera, region);
         self.make_room(gpu, &player.puffs, view.size);
         if player.strokes.is_some() {
-            self.strokes.get_or_insert_with(|| Strokes::new(gpu, &player.meshes)).make_room(gpu, &player.meshes);
+            self.strokes
+                .get_or_insert_with(|| Strokes::new(gpu, &player.meshes))
+                .make_room(gpu, &player.meshes);
         }
         let scene = player.scene();
         let lights = LightsUniform::of(scene);
@@ -193,8 +198,8 @@ impl Painter {
         let shadow = self.shadow(frame, subject, setting, room, &layers);
         // Where nothing is averaged or half transparent, tones go straight into the picture.
         let blends = opaque.is_some() || setting.strokes(&cel.members).is_some();
-        let own = (setting.sheet.samples > 1 || blends)
-            .then(|| frame.texture("tone.cel", layers.size, CEL_FORMAT));
+        let own =
+            (setting.sheet.samples > 1 || blends).then(|| frame.texture("tone.cel", layers.size, CEL_FORMAT));
         let canvas = Canvas { view: own.as_deref().unwrap_or(target), is_picture: own.is_none() };
         if canvas.is_picture {
             self.compose.lay(frame, under, setting.sheet, target);
@@ -327,7 +332,8 @@ impl Painter {
         let along_edges = setting.pens(members).iter().any(Pen::follows_edges);
         let lines =
             along_edges.then(|| self.vector.record(frame, subject, &self.compact, (layers, members), ink));
-        if let (Some(strokes), Some(drawing), Some(depth)) = (&self.strokes, setting.strokes(members), &lines) {
+        if let (Some(strokes), Some(drawing), Some(depth)) = (&self.strokes, setting.strokes(members), &lines)
+        {
             let seen = (layers, members);
             strokes.record(frame, subject, &self.compact, &drawing, seen, (ink, depth));
         }

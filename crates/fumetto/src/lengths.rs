@@ -37,5 +37,6 @@ pub(crate) fn reach_px(objects: &[&Object], height_px: u32) -> f32 {
     let strokes = objects.iter().map(|object| ink::reach_px(object, height_px)).fold(0.0, f32::max);
     // It is smoothed in two rounds.
     let smooth = smooth_px(objects, height_px).map_or(0.0, |px| 1.5 * px + TEXELS_PX);
-    (SETTLE * clean_px(objects, height_px)).max(widths * methods.radius_px).max(smooth).max(strokes) + TEXELS_PX
+    (SETTLE * clean_px(objects, height_px)).max(widths * methods.radius_px).max(smooth).max(strokes)
+        + TEXELS_PX
 }

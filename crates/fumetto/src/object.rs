@@ -48,7 +48,9 @@ const IS_MASK: u32 = 256;
 pub(crate) fn ink_method(object: &Object) -> InkMethod {
     let ink = &object.style.ink;
     match (ink.method, &object.shape) {
-        (InkMethod::Hybrid, Shape::Surface(_)) if ink.stroke_of(EdgeKind::Silhouette).is_some() => InkMethod::Vector,
+        (InkMethod::Hybrid, Shape::Surface(_)) if ink.stroke_of(EdgeKind::Silhouette).is_some() => {
+            InkMethod::Vector
+        }
         (InkMethod::Hybrid, Shape::Surface(_)) => InkMethod::Image,
         (InkMethod::Hybrid | InkMethod::Vector | InkMethod::Shell, Shape::Volume(_)) => InkMethod::Image,
         (method, _) => method,

@@ -20,11 +20,15 @@ impl Table {
         if tells(|samples| samples.made.is_some()) {
             let made = self.lined_up(self.rows.iter().map(made_line));
             // Writing to a string cannot fail.
-            let _ = write!(text, "\n**{name}**: thousands of triangles, and megabytes kept for them\n\n{made}");
+            let _ =
+                write!(text, "\n**{name}**: thousands of triangles, and megabytes kept for them\n\n{made}");
         }
         if tells(|samples| samples.flicker.is_some()) {
             let flicker = self.lined_up(self.rows.iter().map(flicker_line));
-            let _ = write!(text, "\n**{name}**: change of lines that motion does not explain, percent\n\n{flicker}");
+            let _ = write!(
+                text,
+                "\n**{name}**: change of lines that motion does not explain, percent\n\n{flicker}"
+            );
         }
         text
     }

@@ -1,6 +1,6 @@
 use super::At;
-use super::style::put;
 use super::stroke::stroke;
+use super::style::put;
 use super::values::colour;
 use crate::file::{CreaseFile, HiddenLinesFile, InkFile, InkMethodFile, PenFile, WidthFile};
 use crate::{HiddenLines, Ink, InkMethod, Pen, Stroke, Width};

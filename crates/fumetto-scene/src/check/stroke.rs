@@ -36,7 +36,7 @@ fn texture(at: &At<'_>, name: &str) -> StrokeTexture {
     named.map_or_else(
         || {
             let names = StrokeTexture::NAMED.map(|(known, _)| known);
-            let help = format!("{}; or name a .png", fit::did_you_mean(name, &names));
+            let help = format!("{} (a picture ends in .png)", fit::did_you_mean(name, &names));
             at.error("unknown-texture", format!("there is no texture {name:?}"), help);
             StrokeTexture::Pencil
         },

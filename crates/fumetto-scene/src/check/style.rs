@@ -1,8 +1,8 @@
 use super::At;
 use super::hatching::hatching;
 use super::ink::ink;
-use super::stroke;
 use super::ramp::{beside, exaggerate, highlight, ramp, rim};
+use super::stroke;
 use crate::file::{ShadingFile, ShadowFile, StyleFile};
 use crate::fit;
 use crate::load::{Resolve, StyleChoice};

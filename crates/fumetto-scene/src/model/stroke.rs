@@ -93,12 +93,16 @@ impl Stroke {
                 grain: 0.45,
                 ..plain
             },
-            StrokeTexture::Brush => {
-                Self { taper: 8.0, pressure: 0.6, curvature: 0.6, wobble: 0.12, ..plain }
-            }
-            StrokeTexture::Charcoal => {
-                Self { taper: 3.0, pressure: 0.6, wobble: 0.2, overshoot: 0.5, passes: 2, grain: 1.0, ..plain }
-            }
+            StrokeTexture::Brush => Self { taper: 8.0, pressure: 0.6, curvature: 0.6, wobble: 0.12, ..plain },
+            StrokeTexture::Charcoal => Self {
+                taper: 3.0,
+                pressure: 0.6,
+                wobble: 0.2,
+                overshoot: 0.5,
+                passes: 2,
+                grain: 1.0,
+                ..plain
+            },
             StrokeTexture::Chalk => Self { taper: 1.0, pressure: 0.4, wobble: 0.12, grain: 1.0, ..plain },
             StrokeTexture::Dashes => Self { taper: 0.0, pressure: 0.2, wobble: 0.1, ..plain },
             StrokeTexture::File(_) => Self { taper: 2.0, ..plain },

@@ -184,7 +184,11 @@ impl Player {
             PlayedMatter::Sequence(..) | PlayedMatter::Morph(_) | PlayedMatter::Smoke(_) => false,
             PlayedMatter::Model(played) => !played.model.is_animated(),
         };
-        if self.objects.iter().all(stands) && !self.scene.objects.iter().any(boils) { 0 } else { self.held(frame) }
+        if self.objects.iter().all(stands) && !self.scene.objects.iter().any(boils) {
+            0
+        } else {
+            self.held(frame)
+        }
     }
 
     /// The frame whose state is drawn when `frame` is asked for: every second one on twos.

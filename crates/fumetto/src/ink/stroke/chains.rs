@@ -33,9 +33,7 @@ impl Chains {
     pub(super) fn new(gpu: &Gpu) -> Self {
         let [uniform, read, write] = [Slot::Uniform, Slot::Read, Slot::Write];
         let [count] = kernels(gpu, shader!("ink/stroke/count"), &[read, write, read], ["main"]);
-        let slots = [
-            uniform, read, read, uniform, read, read, read, uniform, uniform, uniform, read, write,
-        ];
+        let slots = [uniform, read, read, uniform, read, read, read, uniform, uniform, uniform, read, write];
         let [models] = kernels(gpu, shader!("ink/stroke/pieces"), &slots, ["main"]);
         let [surfaces] = kernels(gpu, shader!("ink/stroke/pieces_made"), &slots, ["main"]);
         let pieces = [models, surfaces];
@@ -199,7 +197,8 @@ impl Chains {
         let pipeline = &self.see[usize::from(lines.of_surface)];
         frame.compute_indirect("ink.stroke.see", pipeline, &bindings, &room.joint_tally);
         let followed = |from, to| {
-            [subject.view, styles, &room.joint_tally, &room.joints, from, to].map(wgpu::Buffer::as_entire_binding)
+            [subject.view, styles, &room.joint_tally, &room.joints, from, to]
+                .map(wgpu::Buffer::as_entire_binding)
         };
         let bridged = followed(&room.seen, &room.bridged);
         frame.compute_indirect("ink.stroke.bridge", &self.bridge, &bridged, &room.joint_tally);

@@ -21,7 +21,8 @@ pub(super) fn value_noise(at: [f32; 2], [columns, rows]: [u32; 2], seed: u32) ->
     let cell = at.map(f32::floor);
     let [u, v] = [at[0] - cell[0], at[1] - cell[1]].map(|part| part * part * (3.0 - 2.0 * part));
     let corner = |x: i64, y: i64| {
-        let wrapped = |place: f32, step: i64, count: u32| (place as i64 + step).rem_euclid(i64::from(count)) as u32;
+        let wrapped =
+            |place: f32, step: i64, count: u32| (place as i64 + step).rem_euclid(i64::from(count)) as u32;
         random(wrapped(cell[0], x, columns), wrapped(cell[1], y, rows), seed)
     };
     let row = |y| corner(0, y) * (1.0 - u) + corner(1, y) * u;

@@ -54,9 +54,11 @@ impl StrokeRoom {
                 mapped_at_creation: false,
             })
         };
-        let of_pieces = |label, bytes: u64| buffer(label, u64::from(pieces) * bytes, wgpu::BufferUsages::COPY_SRC);
+        let of_pieces =
+            |label, bytes: u64| buffer(label, u64::from(pieces) * bytes, wgpu::BufferUsages::COPY_SRC);
         let of_joints = |label, bytes: u64| of_pieces(label, u64::from(JOINTS) * bytes);
-        let counts = wgpu::BufferUsages::INDIRECT | wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_SRC;
+        let counts =
+            wgpu::BufferUsages::INDIRECT | wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_SRC;
         let buckets = u64::from((4 * pieces).next_power_of_two());
         Self {
             pieces,

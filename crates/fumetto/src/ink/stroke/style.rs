@@ -42,23 +42,25 @@ pub(crate) struct Moment {
 
 impl StrokeStyle {
     /// Those of all pens of `objects`, in the pens' order.
-    pub(crate) fn of_all(
-        objects: &[&Object],
-        textures: &StrokeTextures,
-        moment: Moment,
-    ) -> [Self; MAX_PENS] {
+    pub(crate) fn of_all(objects: &[&Object], textures: &StrokeTextures, moment: Moment) -> [Self; MAX_PENS] {
         let mut all = [bytemuck::Zeroable::zeroed(); MAX_PENS];
         let pens = objects.iter().flat_map(|object| EdgeKind::ALL.map(|kind| (*object, kind)));
         for ((number, slot), (object, kind)) in (0..).zip(&mut all).zip(pens) {
             if let Some(stroke) = object.style.ink.stroke_of(kind) {
                 *slot = Self::new((object, kind), stroke, textures.layer(&stroke.texture), moment);
-                slot.seed = drawn_anew(stroke, moment.frame).wrapping_mul(limits::MAX_OBJECTS as u32 * 4) + number;
+                slot.seed =
+                    drawn_anew(stroke, moment.frame).wrapping_mul(limits::MAX_OBJECTS as u32 * 4) + number;
             }
         }
         all
     }
 
-    fn new((object, kind): (&Object, EdgeKind), stroke: &Stroke, (layer, length): (u32, f32), moment: Moment) -> Self {
+    fn new(
+        (object, kind): (&Object, EdgeKind),
+        stroke: &Stroke,
+        (layer, length): (u32, f32),
+        moment: Moment,
+    ) -> Self {
         let ink = &object.style.ink;
         let scale = moment.picture_height as f32 / object.style.height_px;
         let width = stroke.height.unwrap_or(ink.width_of(kind));

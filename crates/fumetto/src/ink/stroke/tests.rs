@@ -137,7 +137,8 @@ fn a_balls_silhouette_is_one_closed_line_on_the_analytic_circle() {
     let radius = 1.2 * (1.0 - 0.36_f32.sqrt()).sqrt();
     let expected = circle_px(radius);
     for subdivisions in [12, 24, 48] {
-        let object = format!("{CLOUD}shape = {{ surface = {{ threshold = 0.36, subdivisions = {subdivisions} }} }}");
+        let object =
+            format!("{CLOUD}shape = {{ surface = {{ threshold = 0.36, subdivisions = {subdivisions} }} }}");
         let player = play(&mut engine, scene(&object, "texture = \"brush\""), &Models(Vec::new()));
         let lines = lines(&mut engine, &player);
         assert_eq!(lines.len(), 1, "lines at {subdivisions}");
@@ -256,8 +257,10 @@ fn of_crossing_balls_the_right_arcs_are_seen() {
         Vec3::new(out * around.cos(), down.cos(), -out * around.sin())
     };
     let models = Models(vec![("model.obj", grid([64, 32], false, ball))]);
-    let copies = "transform = [{ position = [-0.36, 0, 0], scale = 0.6 }, { position = [0.36, 0, 0], scale = 0.6 }]";
-    let player = play(&mut engine, scene(&format!("{MODEL}{copies}"), "texture = \"brush\", taper = 0"), &models);
+    let copies =
+        "transform = [{ position = [-0.36, 0, 0], scale = 0.6 }, { position = [0.36, 0, 0], scale = 0.6 }]";
+    let player =
+        play(&mut engine, scene(&format!("{MODEL}{copies}"), "texture = \"brush\", taper = 0"), &models);
     let lines = lines(&mut engine, &player);
     assert_eq!(lines.len(), 2, "each has its contour");
     // Each circle of 1, its middle 0.6 from the plane between both, is cut off at an angle with that cosine.
@@ -284,7 +287,10 @@ fn lines_along_edges_end_at_corners_and_inside_nothing_is_drawn() {
     assert_eq!(seen, 9, "three meet at the corner that is farthest");
 
     // All of a ball around the viewer faces them, or none.
-    let around = format!("{}shape = {{ surface = {{ threshold = 0.36, subdivisions = 24 }} }}", CLOUD.replace("1.2", "40"));
+    let around = format!(
+        "{}shape = {{ surface = {{ threshold = 0.36, subdivisions = 24 }} }}",
+        CLOUD.replace("1.2", "40")
+    );
     let player = play(&mut engine, scene(&around, "texture = \"brush\""), &Models(Vec::new()));
     assert_eq!(self::lines(&mut engine, &player), Vec::new());
 }

@@ -31,11 +31,16 @@ impl StrokeTextures {
     /// The named ones, and `images` from files.
     pub(crate) fn new(gpu: &Gpu, images: &BTreeMap<String, Image>) -> Self {
         let named = StrokeTexture::NAMED.map(|(_, texture)| painted(&texture));
-        let layers: Vec<_> = named.into_iter().chain(images.values().take(MOST_FILES).map(resampled)).collect();
+        let layers: Vec<_> =
+            named.into_iter().chain(images.values().take(MOST_FILES).map(resampled)).collect();
         Self {
             strokes: upload(gpu, "ink.stroke.textures", SIZE, &layers),
             tooth: upload(gpu, "ink.stroke.tooth", [TOOTH_SIDE; 2], &[tooth()]),
-            files: images.iter().take(MOST_FILES).map(|(path, image)| (path.clone(), proportion(image))).collect(),
+            files: images
+                .iter()
+                .take(MOST_FILES)
+                .map(|(path, image)| (path.clone(), proportion(image)))
+                .collect(),
         }
     }
 
@@ -137,7 +142,8 @@ fn resampled(image: &Image) -> Vec<u8> {
     };
     let [columns, rows] = SIZE;
     let texel = |at: u32| {
-        let (xs, ys) = (covered(at % columns, columns, image.width), covered(at / columns, rows, image.height));
+        let (xs, ys) =
+            (covered(at % columns, columns, image.width), covered(at / columns, rows, image.height));
         let count = (xs.len() * ys.len()) as f32;
         let sum: f32 = ys.flat_map(|y| xs.clone().map(move |x| (x, y))).map(|(x, y)| ink(x, y)).sum();
         (255.0 * sum / count).round() as u8
@@ -185,6 +191,7 @@ fn upload(gpu: &Gpu, label: &str, size: [u32; 2], layers: &[Vec<u8>]) -> wgpu::T
             size = size.map(|side| (side / 2).max(1));
         }
     }
-    let dimension = if layers.len() > 1 { wgpu::TextureViewDimension::D2Array } else { wgpu::TextureViewDimension::D2 };
+    let dimension =
+        if layers.len() > 1 { wgpu::TextureViewDimension::D2Array } else { wgpu::TextureViewDimension::D2 };
     texture.create_view(&wgpu::TextureViewDescriptor { dimension: Some(dimension), ..Default::default() })
 }
