@@ -47,6 +47,9 @@ draw paint paint.png --frame 90 "${large[@]}"
 draw paint-wash paint-wash.png --frame 143 "${large[@]}"
 draw paint-pour paint-pour.png --frame 130 "${large[@]}"
 draw day-night day-night.png --frame 84 "${large[@]}"
+draw sketch sketch.png "${large[@]}"
+draw cloud-ink cloud-ink.png "${large[@]}"
+draw smoke-sketch smoke-sketch.png --frame 150 "${large[@]}"
 draw chimney chimney.gif --frames 144..191 --size 320x180
 
 # The first scene of README.md, as it stands there, and two ways for its smoke to end.
@@ -134,6 +137,8 @@ done
 
 # A drawing of shapes.
 "$fumetto" export scenes/cumulus.toml -o "$images/vector.svg" --size 960x540
+# The hand's tools, each along a cloud.
+draw strokes strokes.png "${large[@]}"
 
 # The puffs' sprites: atlas.normal.png and its kin.
 "$fumetto" export scenes/cumulus.toml -o "$images/atlas.png"

@@ -10,6 +10,7 @@ mod cloud;
 mod cube;
 mod draw;
 mod edges;
+mod flicker;
 mod hidden;
 mod imported;
 mod machine;
@@ -21,6 +22,7 @@ mod scene;
 mod shadows;
 mod skins;
 mod step;
+mod strokes;
 mod subsystem;
 mod surface;
 mod volume;
@@ -36,7 +38,7 @@ use report::{Report, Row, Table};
 use subsystem::Subsystem;
 
 /// Everything that is measured, in the order of the report.
-const SUBSYSTEMS: [&Subsystem; 11] = [
+const SUBSYSTEMS: [&Subsystem; 13] = [
     &step::STEP,
     &vortex::VORTEX,
     &surface::SURFACE,
@@ -49,6 +51,7 @@ const SUBSYSTEMS: [&Subsystem; 11] = [
     &skins::SKINS,
     &paint::SPREAD,
     &paint::REVEAL,
+    &strokes::STROKES,
 ];
 
 fn main() -> anyhow::Result<()> {

@@ -29,6 +29,8 @@ pub(crate) struct Samples {
     sorted_ms: Vec<f64>,
     /// What came of it, where that is told.
     pub(crate) made: Option<Made>,
+    /// Share of lines that changes from frame to frame for no reason, where that is told: see `flicker.rs`.
+    pub(crate) flicker: Option<f64>,
 }
 
 /// What came of the work.

@@ -118,6 +118,18 @@ pub const ACCELERATION: Limit = Limit::closed(-1e6, 1e6);
 pub const HATCHING_LAYERS: Limit = Limit::closed(1.0, 4.0);
 /// How far the planes that cut strokes lean.
 pub const TILT_DEG: Limit = Limit::closed(0.0, 90.0);
+/// Lengths along strokes, in their heights: so far runs of visible line are followed.
+pub const STROKE_LENGTH: Limit = Limit::closed(0.0, 64.0);
+/// How far strokes stray from their lines, in their heights.
+pub const STROKE_WOBBLE: Limit = Limit::closed(0.0, 8.0);
+/// What multiplies the length of a stroke's texture.
+pub const STROKE_SCALE: Limit = Limit::closed(0.01, 1000.0);
+/// How much heavier strokes are in bends.
+pub const STROKE_CURVATURE: Limit = Limit::closed(0.0, 8.0);
+/// How often strokes are drawn.
+pub const STROKE_PASSES: Limit = Limit::closed(1.0, 8.0);
+/// Frames for which strokes stay.
+pub const STROKE_BOIL: Limit = Limit::closed(0.0, 1000.0);
 /// Angles between faces.
 pub const ANGLE_DEG: Limit = Limit::closed(0.0, 180.0);
 /// What stretches a model; 0 is refused besides.

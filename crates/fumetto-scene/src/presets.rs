@@ -4,7 +4,7 @@
 pub(crate) const DEFAULT: &str = "cartoon";
 
 /// Every preset: its name and its style file.
-const PRESETS: [(&str, &str); 7] = [
+const PRESETS: [(&str, &str); 10] = [
     ("cartoon", include_str!("../presets/cartoon.style.toml")),
     ("mcguire", include_str!("../presets/mcguire.style.toml")),
     ("flat", include_str!("../presets/flat.style.toml")),
@@ -12,6 +12,9 @@ const PRESETS: [(&str, &str); 7] = [
     ("engraving", include_str!("../presets/engraving.style.toml")),
     ("crosshatch", include_str!("../presets/crosshatch.style.toml")),
     ("pencil", include_str!("../presets/pencil.style.toml")),
+    ("sketch", include_str!("../presets/sketch.style.toml")),
+    ("brush", include_str!("../presets/brush.style.toml")),
+    ("charcoal", include_str!("../presets/charcoal.style.toml")),
 ];
 
 /// The names of the presets; the first is the default.

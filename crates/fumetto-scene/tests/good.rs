@@ -5,11 +5,12 @@ mod common;
 
 use common::{load, load_with};
 use fumetto_scene::{
-    Along, Background, Border, Burst, Cells, Colour, Curve, Detail, Drop, Ease, EmitterShape, Exaggerate,
-    Follow, Force, Given, Gooch, Growth, Hatching, Highlight, Imported, Ink, InkMethod, Light, LightKind,
-    Look, Matter, Mesh, Metamorphosis, Morph, Noise, Paint, Particle, Pour, Profile, Puffs, Ramp, RampImage,
-    RampRows, Raw, RawNumber, Resolution, Rim, Rings, Scene, SceneText, Shading, Shape, Smoke, Spacing,
-    Spread, Stroke, Style, StyleChoice, Surface, Tone, Transform, Volume, VolumeNoise, Wash, Width,
+    Along, Background, Border, Brush, Burst, Cells, Colour, Curve, Detail, Drop, Ease, EdgeKind,
+    EmitterShape, Exaggerate, Follow, Force, Given, Gooch, Growth, Hatching, Highlight, Imported, Ink,
+    InkMethod, Light, LightKind, Look, Matter, Mesh, Metamorphosis, Morph, Noise, Paint, Particle, Pour,
+    Profile, Puffs, Ramp, RampImage, RampRows, Raw, RawNumber, Resolution, Rim, Rings, Scene, SceneText,
+    Shading, Shape, Smoke, Spacing, Spread, Stroke, StrokeTexture, Style, StyleChoice, Surface, Tone,
+    Transform, Volume, VolumeNoise, Wash, Width,
 };
 
 fn srgb(hex: u32) -> Colour {
@@ -99,7 +100,7 @@ fn every_key_of_paint_reaches_it() {
             },
             Drop { at: [1.0, 0.0, 0.0], time_secs: 0.0, radius: growth(&[[0.0, 1.0]]), start_m: 0.1 },
         ],
-        strokes: vec![Stroke {
+        strokes: vec![Brush {
             path: vec![[0.0; 3], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0]],
             during_secs: [1.0, 3.0],
             radius: growth(&[[0.0, 0.3]]),
@@ -537,11 +538,11 @@ fn a_layer_of_detail_takes_what_it_does_not_say_from_the_surface_around_it() {
              threshold = 0.3, size = 2, subdivisions = 20, noise = {{ amplitude = 1, size = 1 }}, {keys} }} }} }}]"
         ));
         let object = &scene.objects[0];
-        (object.shape.surface().copied().unwrap(), object.style.ink, object.details.clone())
+        (object.shape.surface().copied().unwrap(), object.style.ink.clone(), object.details.clone())
     };
     assert_eq!(details("").2, []);
     let (outer, ink, plain) = details("detail = [{}]");
-    assert_eq!(plain, [Detail { surface: Surface { size: 1.6, ..outer }, mass: 1.0, ink }]);
+    assert_eq!(plain, [Detail { surface: Surface { size: 1.6, ..outer }, mass: 1.0, ink: ink.clone() }]);
     let (_, _, two) = details(
         "detail = [{ size = 0.5, mass = 0.25, ink = { width = { px = 2 }, method = \"vector\" } }, \
          { threshold = 0.6, cell = 0.1, noise = { amplitude = 0, size = 1 } }]",
@@ -552,6 +553,25 @@ fn a_layer_of_detail_takes_what_it_does_not_say_from_the_surface_around_it() {
     let inner = two[1].surface;
     assert_eq!((inner.threshold, inner.resolution, inner.size), (0.6, Resolution::Cell(0.1), 1.6));
     assert_eq!(inner.noise.map(|noise| noise.amplitude), Some(0.0));
+}
+
+#[test]
+fn strokes_begin_with_what_their_texture_brings() {
+    let scene = good(
+        "format = 1\ncamera = { eye = [0, 1, 5], target = [0, 0, 0] }\n\
+         light = [{ kind = \"sun\", direction = [0, -1, 0] }]\n\
+         style = { preset = \"sketch\", ink = { stroke = { boil = 4 }, crease = { stroke = { wobble = 0 } }, \
+         boundary = { stroke = { texture = \"edge.png\", scale = 2 } }, material = { stroke = { on = false } } } }\n\
+         object = [{ name = \"a\", kind = \"cloud\", particles = [{ center = [0, 5, 0], radius = 1 }] }]",
+    );
+    let ink = &scene.objects[0].style.ink;
+    let pencil = Stroke { boil: 4, ..Stroke::of(StrokeTexture::Pencil) };
+    assert_eq!(ink.stroke_of(EdgeKind::Silhouette), Some(&pencil));
+    assert_eq!(ink.stroke_of(EdgeKind::Crease), Some(&Stroke { wobble: 0.0, ..pencil.clone() }));
+    let file = Stroke::of(StrokeTexture::File("edge.png".into()));
+    assert_eq!(ink.stroke_of(EdgeKind::Boundary), Some(&Stroke { scale: 2.0, ..file }));
+    assert_eq!(ink.stroke_of(EdgeKind::Material), None);
+    assert!(scene.objects[0].style.mask && !scene.objects[0].style.suits_sprites());
 }
 
 #[test]

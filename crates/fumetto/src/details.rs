@@ -19,7 +19,7 @@ pub(crate) struct Details {
 }
 
 /// One of them.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Layer {
     /// Number of the object that it is in.
     pub(crate) object: usize,
@@ -33,7 +33,7 @@ impl Details {
             .zip(&scene.objects)
             .flat_map(|(object, outer)| {
                 let details = outer.details.iter().enumerate();
-                details.map(move |(level, &detail)| Layer { object, level, detail })
+                details.map(move |(level, detail)| Layer { object, level, detail: detail.clone() })
             })
             .collect();
         let objects = layers.iter().map(|layer| inner(&scene.objects[layer.object], &layer.detail));
@@ -75,7 +75,7 @@ impl Details {
 /// A layer of detail in `outer` as an object.
 fn inner(outer: &Object, detail: &Detail) -> Object {
     let mut style = outer.style.clone();
-    style.ink = detail.ink;
+    style.ink = detail.ink.clone();
     Object {
         name: outer.name.clone(),
         visible: outer.visible,

@@ -10,7 +10,10 @@ use crate::{
     Player, Shot,
     cels::{Cel, cels},
     gpu::{Compact, DrawList, Frame, Gpu, Region, Target, TexturePool, Transient, View},
-    ink::{Angle, Gather, INK_FORMAT, Image, InkAround, Inner, Methods, Outline, Pen, Shell, Vector},
+    ink::{
+        Angle, Gather, INK_FORMAT, Image, InkAround, Inner, Methods, Moment, Outline, Pen, Shell, Strokes,
+        Vector,
+    },
     layers::Layers,
     lengths::SETTLE,
     light::{Casting, LightsUniform, Shadows, Soften, Volumes},
@@ -57,6 +60,8 @@ pub(crate) struct Painter {
     mask: Mask,
     reveal: Reveal,
     compose: Compose,
+    /// Once a scene has any.
+    pub(crate) strokes: Option<Strokes>,
     room: Option<Room>,
 }
 
@@ -120,6 +125,7 @@ impl Painter {
             mask: Mask::new(gpu),
             reveal: Reveal::new(gpu),
             compose: Compose::new(gpu),
+            strokes: None,
             room: None,
         }
     }
@@ -189,6 +195,11 @@ impl Painter {
     fn set<'a>(&mut self, gpu: &Gpu, player: &'a Player, shot: &Shot, region: Region) -> Setting<'a> {
         let view = View::new(&shot.camera, region);
         self.make_room(gpu, &player.puffs, view.size);
+        if player.strokes.is_some() {
+            self.strokes
+                .get_or_insert_with(|| Strokes::new(gpu, &player.meshes))
+                .make_room(gpu, &player.meshes);
+        }
         let scene = player.scene();
         let lights = LightsUniform::of(scene);
         let features = |look: &Look| Features::of(look.drawn(), !player.meshes.is_empty());
@@ -197,7 +208,12 @@ impl Painter {
         }
         let look = &player.looks[0];
         let sheet = Sheet { region, samples: shot.antialias };
-        Setting { player, look, view, lights, features: features(look), sheet }
+        let moment = Moment {
+            frame: player.shown.unwrap_or(0),
+            picture_height: view.picture_height,
+            reference_m: Vec3::from(shot.camera.eye).distance(shot.camera.target.into()),
+        };
+        Setting { player, look, view, lights, features: features(look), sheet, moment }
     }
 
     /// Draws one cel over what lies under it; `known` tells for each look the ink around in all of the picture, if
@@ -225,7 +241,8 @@ impl Painter {
             return (layers, arounds);
         }
         // Where nothing is averaged or half transparent, tones go straight into the picture.
-        let is_picture = setting.sheet.samples == 1 && opaque.is_none();
+        let blends = opaque.is_some() || setting.strokes(&cel.members).is_some();
+        let is_picture = setting.sheet.samples == 1 && !blends;
         if is_picture {
             self.compose.lay(frame, under, setting.sheet, target);
         }
@@ -382,7 +399,7 @@ impl Painter {
             if radius == 0 { normal } else { self.soften.record(frame, &setting.view, normal, radius, step) };
         let ground = self.ground.record(frame, subject.view, layers, setting.smooth_px());
         let turns = self.turns.record(frame, subject.view, &ground, setting.wants_turns());
-        let styles = setting.strokes(frame);
+        let styles = setting.hatching(frame);
         let hatched = Hatched { styles: styles.as_ref(), ground: &ground, turns: &turns };
         let light = (&normal, shadow, hatched);
         self.flat.record(frame, subject, layers, light, (step, ramps, setting.features), canvas);
@@ -424,6 +441,11 @@ impl Painter {
         let along_edges = setting.pens(members).iter().any(Pen::follows_edges);
         let lines =
             along_edges.then(|| self.vector.record(frame, subject, &self.compact, (layers, members), ink));
+        if let (Some(strokes), Some(drawing), Some(depth)) = (&self.strokes, setting.strokes(members), &lines)
+        {
+            let seen = (layers, members);
+            strokes.record(frame, subject, &self.compact, &drawing, seen, (ink, depth));
+        }
         if let Some(bins) = bins.filter(|_| methods.outline) {
             let depth = lines.as_ref().unwrap_or(&layers.depth);
             self.outline.record(frame, subject, bins, (layers, depth), ink);

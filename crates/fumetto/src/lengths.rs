@@ -3,7 +3,12 @@
 
 use fumetto_scene::{Hatching, Object};
 
-use crate::{Player, ink::Methods, player::Look, tone::TURNS_PX};
+use crate::{
+    Player,
+    ink::{self, Methods},
+    player::Look,
+    tone::TURNS_PX,
+};
 
 /// Shadows are cleaned over this many times the length that tones are: their specks come of single puffs,
 /// which are larger than the bumps on them.
@@ -55,8 +60,10 @@ fn look_reach_px(objects: &[&Object], height_px: u32) -> f32 {
     let methods = Methods::of(objects, &members, height_px);
     // A flood jumps up to twice as far as it reaches; a line asks what hides its middle.
     let widths = if methods.image || methods.hybrid { 2.0 } else { 1.0 };
+    let strokes = objects.iter().map(|object| ink::reach_px(object, height_px)).fold(0.0, f32::max);
     // It is smoothed in two rounds.
     let smooth = smooth_px(objects, height_px).map_or(0.0, |px| 1.5 * px + TEXELS_PX);
     let smooth = smooth + if wants_turns(objects) { TURNS_PX + TEXELS_PX } else { 0.0 };
-    (SETTLE * clean_px(objects, height_px)).max(widths * methods.radius_px).max(smooth) + TEXELS_PX
+    (SETTLE * clean_px(objects, height_px)).max(widths * methods.radius_px).max(smooth).max(strokes)
+        + TEXELS_PX
 }

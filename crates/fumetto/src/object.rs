@@ -41,11 +41,16 @@ const IMAGE_INK: u32 = 16;
 const HYBRID_INK: u32 = 32;
 const SHOWS_SHADOWS: u32 = 64;
 const IS_VOLUME: u32 = 128;
+const IS_MASK: u32 = 256;
 
 /// How an object's lines are found. What suits each shape is, for a surface, to look through the picture: where
-/// lobes meet in a valley, its contours break off. A volume has no edges to look along.
+/// lobes meet in a valley, its contours break off; unless it has strokes, which follow these. A volume has no edges to look along.
 pub(crate) fn ink_method(object: &Object) -> InkMethod {
-    match (object.style.ink.method, &object.shape) {
+    let ink = &object.style.ink;
+    match (ink.method, &object.shape) {
+        (InkMethod::Hybrid, Shape::Surface(_)) if ink.stroke_of(EdgeKind::Silhouette).is_some() => {
+            InkMethod::Vector
+        }
         (InkMethod::Hybrid, Shape::Surface(_)) => InkMethod::Image,
         (InkMethod::Hybrid | InkMethod::Vector | InkMethod::Shell, Shape::Volume(_)) => InkMethod::Image,
         (method, _) => method,
@@ -96,7 +101,8 @@ impl ObjectStyle {
                 | flag(has_puffs && style.shadow.on && object.visible, THROWS_SHADOW)
                 | flag(has_puffs && in_cel, IN_CEL)
                 | flag(style.shadow.receive, SHOWS_SHADOWS)
-                | flag(volume.is_some(), IS_VOLUME),
+                | flag(volume.is_some(), IS_VOLUME)
+                | flag(style.mask, IS_MASK),
             form_scale: style.form_scale,
             material: style.material,
             ink_facing: style.ink.facing,

@@ -17,7 +17,8 @@ struct ObjectStyle {
     shadow_start: f32,
     shadow_size: f32,
     // Bit 0: has ink billboards. Bit 1: throws shadows. Bit 2: is drawn in this cel. Bits 3 to 5: how else
-    // its lines are found. Bit 6: shows shadows. Bit 7: is a volume.
+    // its lines are found. Bit 6: shows shadows. Bit 7: is a volume. Bit 8: is
+    // not painted.
     flags: u32,
     form_scale: f32,
     // Share of a mesh's own colours.
@@ -42,6 +43,7 @@ const IMAGE_INK: u32 = 16u;
 const HYBRID_INK: u32 = 32u;
 const SHOWS_SHADOWS: u32 = 64u;
 const IS_VOLUME: u32 = 128u;
+const IS_MASK: u32 = 256u;
 
 // Objects that there is room for.
 const MAX_OBJECTS: u32 = 64u;

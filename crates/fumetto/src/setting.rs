@@ -6,7 +6,7 @@ use crate::{
     Player,
     cels::Cel,
     gpu::{Frame, Gpu, View},
-    ink::{MAX_PENS, Pen},
+    ink::{Drawing, MAX_PENS, Moment, Pen, StrokeStyle},
     lengths::{clean_px, smooth_px, wants_turns},
     light::LightsUniform,
     object::ObjectStyle,
@@ -24,6 +24,7 @@ pub(crate) struct Setting<'a> {
     pub(crate) lights: LightsUniform,
     pub(crate) features: Features,
     pub(crate) sheet: Sheet,
+    pub(crate) moment: Moment,
 }
 
 impl<'a> Setting<'a> {
@@ -53,6 +54,15 @@ impl<'a> Setting<'a> {
     /// The pens that draw the cel of the objects that `members` numbers.
     pub(crate) fn pens(&self, members: &[usize]) -> [Pen; MAX_PENS] {
         Pen::of_all(&self.drawn(), &self.player.details.with(members), self.view.picture_height)
+    }
+
+    /// How strokes are drawn, where there are any in what `members` numbers.
+    pub(crate) fn strokes(&self, members: &[usize]) -> Option<Drawing<'_>> {
+        let textures = self.player.strokes.as_ref()?;
+        self.pens(members).iter().any(Pen::has_strokes).then(|| {
+            let styles = StrokeStyle::of_all(&self.drawn(), textures, self.moment);
+            Drawing { textures, styles, picture_height: self.view.picture_height }
+        })
     }
 
     /// The objects of a cel.
@@ -95,7 +105,7 @@ impl<'a> Setting<'a> {
     }
 
     /// How all objects are hatched, where any is.
-    pub(crate) fn strokes(&self, frame: &Frame<'_>) -> Option<wgpu::Buffer> {
+    pub(crate) fn hatching(&self, frame: &Frame<'_>) -> Option<wgpu::Buffer> {
         let sheet = Sheeted { height_px: self.view.picture_height, samples: self.sheet.samples };
         let styles = HatchStyle::list(self.player.scene(), self.look.drawn(), sheet);
         styles.map(|styles| frame.uniform("frame.strokes", &styles))

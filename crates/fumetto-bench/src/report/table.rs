@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use super::{Row, Table};
 use crate::{
-    measure::Made,
+    measure::{Made, Samples},
     number::{growth_exponent, millis, thousands},
     subsystem::Subsystem,
 };
@@ -15,12 +15,22 @@ impl Table {
     pub(crate) fn markdown(&self) -> String {
         let Subsystem { name, title, .. } = self.subsystem;
         let times = self.lined_up((0..self.rows.len()).map(|index| self.line(index)));
-        let text = format!("**{name}**: {title}; milliseconds, in brackets growth\n\n{times}");
-        if self.rows.iter().flat_map(|row| &row.samples).all(|samples| samples.made.is_none()) {
-            return text;
+        let mut text = format!("**{name}**: {title}; milliseconds, in brackets growth\n\n{times}");
+        let tells = |told: fn(&Samples) -> bool| self.rows.iter().flat_map(|row| &row.samples).any(told);
+        if tells(|samples| samples.made.is_some()) {
+            let made = self.lined_up(self.rows.iter().map(made_line));
+            // Writing to a string cannot fail.
+            let _ =
+                write!(text, "\n**{name}**: thousands of triangles, and megabytes kept for them\n\n{made}");
         }
-        let made = self.lined_up(self.rows.iter().map(made_line));
-        format!("{text}\n**{name}**: thousands of triangles, and megabytes kept for them\n\n{made}")
+        if tells(|samples| samples.flicker.is_some()) {
+            let flicker = self.lined_up(self.rows.iter().map(flicker_line));
+            let _ = write!(
+                text,
+                "\n**{name}**: change of lines that motion does not explain, percent\n\n{flicker}"
+            );
+        }
+        text
     }
 
     /// A header, a rule, and `lines`.
@@ -67,6 +77,12 @@ fn made_line(row: &Row) -> Vec<String> {
         };
         samples.made.map_or_else(String::new, told)
     });
+    [thousands(row.size)].into_iter().chain(cells).collect()
+}
+
+fn flicker_line(row: &Row) -> Vec<String> {
+    let cells = row.samples.iter();
+    let cells = cells.map(|samples| samples.flicker.map_or_else(String::new, |share| millis(100.0 * share)));
     [thousands(row.size)].into_iter().chain(cells).collect()
 }
 

@@ -1,6 +1,6 @@
 //! `fumetto check`
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::io;
 use std::process::ExitCode;
 
@@ -9,7 +9,9 @@ use fumetto::{Assets as _, imported_size};
 use fumetto_formats::{
     FormatError, ModelOptions, is_sequence, read_model, read_particles, read_png, sequence_path,
 };
-use fumetto_scene::{Background, Imported, Matter, Mesh, Ramp, RampImage, Report, Scene, Time};
+use fumetto_scene::{
+    Background, Imported, Ink, Matter, Mesh, Object, Ramp, RampImage, Report, Scene, StrokeTexture, Time,
+};
 
 use crate::args::CheckArgs;
 use crate::console;
@@ -79,10 +81,26 @@ fn check_files(opened: &Opened) -> Vec<String> {
     for (ramp, objects) in ramps(scene) {
         note(format!("the ramp of {objects}"), check_picture(folder, ramp));
     }
+    for (path, object) in stroke_textures(scene) {
+        note(format!("the strokes of `{object}`"), check_picture(folder, path));
+    }
     if let Background::Image(path) = &scene.background {
         note("the background".to_owned(), check_picture(folder, path));
     }
     problems
+}
+
+/// Pictures that strokes are drawn with, and the first object that names each.
+fn stroke_textures(scene: &Scene) -> BTreeMap<&str, &str> {
+    let mut textures = BTreeMap::new();
+    for object in &scene.objects {
+        for stroke in Object::inks(object).flat_map(Ink::strokes) {
+            if let StrokeTexture::File(path) = &stroke.texture {
+                textures.entry(path.as_str()).or_insert(object.name.as_str());
+            }
+        }
+    }
+    textures
 }
 
 /// Reads the particle file `path`, or as many of its sequence as the scene's frames show.

@@ -35,7 +35,10 @@ impl Sink {
             }
             TargetKind::Picture | TargetKind::Sequence => {
                 output::check(Path::new(&plan.file(plan.frames.first)))?;
-                let opaque = matches!(scene.background, Background::Colour(_) | Background::Gradient { .. });
+                let opaque = matches!(
+                    scene.background,
+                    Background::Colour(_) | Background::Gradient { .. } | Background::Paper(_)
+                );
                 Ok(Self::Pictures { opaque })
             }
         }

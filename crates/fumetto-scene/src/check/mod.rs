@@ -16,6 +16,7 @@ mod ramp;
 mod scene;
 mod shape;
 mod smoke;
+mod stroke;
 mod style;
 mod tones;
 mod values;

@@ -1,14 +1,14 @@
 use super::values::colour;
 use super::{At, Styles};
 use crate::file::{
-    BorderFile, CellsFile, DropFile, GrowthFile, LookFile, ObjectFile, PourFile, SpreadFile, StrokeFile,
+    BorderFile, BrushFile, CellsFile, DropFile, GrowthFile, LookFile, ObjectFile, PourFile, SpreadFile,
     WashFile, WashModeFile,
 };
 use crate::fit::did_you_mean;
 use crate::limits::{
     DISTANCE, MAX_PAINT_LAYERS, MAX_PAINT_SUBSTEPS, MAX_PAINT_VERTICES, MAX_PAINT_VOLUMES, SECONDS,
 };
-use crate::{Border, Cells, Drop, Growth, Look, Matter, Object, Paint, Pour, Spread, Stroke, Style, Wash};
+use crate::{Border, Brush, Cells, Drop, Growth, Look, Matter, Object, Paint, Pour, Spread, Style, Wash};
 
 /// A step that is cut into more parts than this is worth a word.
 const FEW_SUBSTEPS: u32 = 16;
@@ -54,7 +54,7 @@ fn drop(at: &At<'_>, file: &DropFile) -> Drop {
     Drop { at: file.at, time_secs: file.time, radius, start_m }
 }
 
-fn stroke(at: &At<'_>, file: &StrokeFile) -> Stroke {
+fn stroke(at: &At<'_>, file: &BrushFile) -> Brush {
     if file.path.len() < 2 {
         let message = format!("a stroke needs two places or more, and `path` has {}", file.path.len());
         at.key("path").error("short-path", message, "for a single place write a `drop`");
@@ -62,7 +62,7 @@ fn stroke(at: &At<'_>, file: &StrokeFile) -> Stroke {
     rising(&at.key("during"), file.during);
     let radius = growth(&at.key("radius"), &file.radius);
     let start_m = file.start.unwrap_or(START_SHARE * radius.largest());
-    Stroke { path: file.path.clone(), during_secs: file.during, radius, start_m }
+    Brush { path: file.path.clone(), during_secs: file.during, radius, start_m }
 }
 
 fn rising(at: &At<'_>, [from, until]: [f32; 2]) {

@@ -29,13 +29,19 @@ pub(super) fn ramp(at: &At<'_>, file: &StyleFile, slot: &mut Ramp) {
 
 /// `ramp`, whose path is relative to the file `name`, with a path relative to where `name` is.
 pub(super) fn beside(name: &str, ramp: RampFile) -> RampFile {
-    let beside = |path: String| match name.rfind(['/', '\\']) {
+    match ramp {
+        RampFile::Path(path) => RampFile::Path(beside_path(name, path)),
+        RampFile::Image(file) => {
+            RampFile::Image(RampImageFile { image: beside_path(name, file.image), ..file })
+        }
+    }
+}
+
+/// A path that the file `name` gives, from where that file's own path begins.
+pub(super) fn beside_path(name: &str, path: String) -> String {
+    match name.rfind(['/', '\\']) {
         Some(end) if !path.starts_with(['/', '\\']) => format!("{}{path}", &name[..=end]),
         _ => path,
-    };
-    match ramp {
-        RampFile::Path(path) => RampFile::Path(beside(path)),
-        RampFile::Image(file) => RampFile::Image(RampImageFile { image: beside(file.image), ..file }),
     }
 }
 

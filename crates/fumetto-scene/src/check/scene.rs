@@ -109,16 +109,21 @@ fn light(at: &At<'_>, file: &LightFile) -> Light {
 fn background(at: &At<'_>, file: Option<&BackgroundFile>) -> Background {
     let Some(file) = file else { return Background::Transparent };
     match file {
-        BackgroundFile { colour: Some(one), gradient: None, image: None } => {
+        BackgroundFile { colour: Some(one), gradient: None, image: None, paper: None } => {
             Background::Colour(colour(&at.key("colour"), one))
         }
-        BackgroundFile { colour: None, gradient: Some([top, bottom]), image: None } => {
+        BackgroundFile { colour: None, gradient: Some([top, bottom]), image: None, paper: None } => {
             let at = at.key("gradient");
             Background::Gradient { top: colour(&at.item(0), top), bottom: colour(&at.item(1), bottom) }
         }
-        BackgroundFile { colour: None, gradient: None, image: Some(path) } => Background::Image(path.clone()),
+        BackgroundFile { colour: None, gradient: None, image: Some(path), paper: None } => {
+            Background::Image(path.clone())
+        }
+        BackgroundFile { colour: None, gradient: None, image: None, paper: Some(paper) } => {
+            Background::Paper(colour(&at.key("paper"), paper))
+        }
         _ => {
-            let message = "`background` must have exactly one of `colour`, `gradient` and `image`";
+            let message = "`background` must have exactly one of `colour`, `gradient`, `image` and `paper`";
             let help = "for a transparent background leave [background] out altogether";
             at.error("background-choice", message.into(), help);
             Background::Transparent

@@ -65,7 +65,7 @@ fn detail(at: &At<'_>, file: &DetailFile, outer: &Surface, style: &Style) -> Det
         size: file.size * outer.size,
         noise: file.noise.map(noise).or(outer.noise),
     };
-    let mut own = style.ink;
+    let mut own = style.ink.clone();
     if let Some(file) = &file.ink {
         ink(&at.key("ink"), file, &mut own);
     }

@@ -2,6 +2,7 @@ use super::At;
 use super::hatching::hatching;
 use super::ink::ink;
 use super::ramp::{beside, exaggerate, highlight, ramp, rim};
+use super::stroke;
 use crate::file::{ShadingFile, ShadowFile, StyleFile};
 use crate::fit;
 use crate::load::{Resolve, StyleChoice};
@@ -82,6 +83,7 @@ impl Styles<'_> {
             );
         }
         file.ramp = file.ramp.map(|ramp| beside(name, ramp));
+        stroke::beside(name, &mut file);
         self.changed(&at, &file, base)
     }
 }
@@ -112,6 +114,7 @@ fn apply(at: &At<'_>, file: &StyleFile, style: &mut Style) {
     put(&mut style.clean_px, file.clean.map(|clean| clean.px));
     put(&mut style.material, file.material);
     put(&mut style.material_steps, file.material_steps);
+    put(&mut style.mask, file.mask);
     put(&mut style.height_px, file.height);
     put(&mut style.shading, file.shading.map(Shading::from));
     if let Some(file) = &file.ink {

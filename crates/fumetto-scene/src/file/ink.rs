@@ -1,7 +1,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::ColourFile;
+use super::{ColourFile, StrokeFile};
 use crate::limits;
 
 /// Lines.
@@ -43,6 +43,9 @@ pub struct InkFile {
     pub facing: Option<f32>,
     /// What becomes of lines of meshes that something hides.
     pub hidden: Option<HiddenLinesFile>,
+    /// What is drawn along the lines of meshes and surfaces, where a kind of edge has no stroke of its own; for
+    /// methods "hybrid" and "vector".
+    pub stroke: Option<StrokeFile>,
 }
 
 /// How lines are found.
@@ -85,6 +88,8 @@ pub struct PenFile {
     /// Lengths that are drawn and left out in turn, in pixels at the style's `height`.
     #[schemars(transform = &limits::WIDTH_PX)]
     pub dash: Option<[f32; 2]>,
+    /// What is drawn along it.
+    pub stroke: Option<StrokeFile>,
 }
 
 /// How creases are found and drawn; what is left out is as for all ink.
@@ -103,6 +108,8 @@ pub struct CreaseFile {
     /// Faces that turn by more than this make a crease, in degrees.
     #[schemars(transform = &limits::ANGLE_DEG)]
     pub angle: Option<f32>,
+    /// What is drawn along them.
+    pub stroke: Option<StrokeFile>,
 }
 
 /// Width of a line: exactly one of these.

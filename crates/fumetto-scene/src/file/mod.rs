@@ -12,6 +12,7 @@ mod object;
 mod paint;
 mod scene;
 mod smoke;
+mod stroke;
 mod style;
 mod surface;
 mod tones;
@@ -26,11 +27,12 @@ pub use mesh::{ScaleFile, TransformFile, UpFile};
 pub use morph::{EaseFile, MorphFile};
 pub use object::{ObjectFile, ObjectKind, ParticleFile, ParticlesFile, PuffsFile, ShapeFile};
 pub use paint::{
-    BorderFile, BoxFile, CellsFile, DropFile, GrowthFile, LookFile, PourFile, SpreadFile, StrokeFile,
+    BorderFile, BoxFile, BrushFile, CellsFile, DropFile, GrowthFile, LookFile, PourFile, SpreadFile,
     WashFile, WashModeFile,
 };
 pub use scene::{BackgroundFile, CameraFile, LightFile, OutputFile, SceneFile, TimeFile};
 pub use smoke::{BurstFile, EmitterFile, EmitterShapeFile, ForceFile};
+pub use stroke::StrokeFile;
 pub use style::{PixelsFile, ShadingFile, ShadowFile, StyleFile};
 pub use surface::{DetailFile, NoiseFile, SurfaceFile};
 pub use tones::{

@@ -2,8 +2,8 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{
-    BorderFile, BoxFile, CellsFile, DropFile, EmitterFile, ForceFile, ImportedFile, LookFile, MorphFile,
-    OneOrMany, PourFile, SolverFile, SpreadFile, StrokeFile, StyleFile, SurfaceFile, TransformFile, UpFile,
+    BorderFile, BoxFile, BrushFile, CellsFile, DropFile, EmitterFile, ForceFile, ImportedFile, LookFile,
+    MorphFile, OneOrMany, PourFile, SolverFile, SpreadFile, StyleFile, SurfaceFile, TransformFile, UpFile,
     VolumeFile, VortexFile, WashFile,
 };
 use crate::limits;
@@ -54,7 +54,7 @@ pub struct ObjectFile {
     /// Drops of a `kind = "paint"`: one table, or several `[[object.drop]]`.
     pub drop: Option<OneOrMany<DropFile>>,
     /// Strokes of a brush of a `kind = "paint"`: one table, or several `[[object.stroke]]`.
-    pub stroke: Option<OneOrMany<StrokeFile>>,
+    pub stroke: Option<OneOrMany<BrushFile>>,
     /// Paint that is poured into the `cells` of a `kind = "paint"`: one table, or several `[[object.pour]]`.
     pub pour: Option<OneOrMany<PourFile>>,
     /// The grid that poured paint of a `kind = "paint"` runs in.

@@ -26,7 +26,7 @@ pub struct DropFile {
 /// A brush that paints along a path.
 #[derive(Clone, Debug, Deserialize, JsonSchema, PartialEq, Serialize)]
 #[serde(deny_unknown_fields)]
-pub struct StrokeFile {
+pub struct BrushFile {
     /// Places that the brush goes through at an even speed, two or more, in metres.
     pub path: Vec<[f32; 3]>,
     /// From when until when, in seconds.

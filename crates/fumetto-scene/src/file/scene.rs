@@ -123,6 +123,8 @@ pub struct BackgroundFile {
     pub gradient: Option<[ColourFile; 2]>,
     /// A PNG, scaled to cover the picture and centred; relative to the scene file.
     pub image: Option<String>,
+    /// Paper of this colour, with its tooth.
+    pub paper: Option<ColourFile>,
 }
 
 /// The clock.

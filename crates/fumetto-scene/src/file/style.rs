@@ -9,7 +9,7 @@ use crate::limits;
 #[serde(default, deny_unknown_fields)]
 pub struct StyleFile {
     /// A ready-made style to start from: "cartoon" (the default), "mcguire", "flat", "no-ink",
-    /// "engraving", "crosshatch" or "pencil".
+    /// "engraving", "crosshatch", "pencil", "sketch", "brush" or "charcoal".
     pub preset: Option<String>,
     /// A style file to start from, relative to the scene file; it holds the keys of this table.
     pub file: Option<String>,
@@ -48,6 +48,9 @@ pub struct StyleFile {
     /// Colours of a mesh or a volume are brought to this many values and strengths of each hue, 1 to 32; 0 keeps them.
     #[schemars(transform = &limits::MATERIAL_STEPS)]
     pub material_steps: Option<u32>,
+    /// Whether the object is not painted: what the picture lies on shows in its place, and it hides only the lines and
+    /// the objects behind it.
+    pub mask: Option<bool>,
     /// How tones get onto puffs.
     pub shading: Option<ShadingFile>,
     /// Lines.

@@ -1,7 +1,7 @@
-use crate::Colour;
+use crate::{Colour, Stroke};
 
 /// Lines.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Ink {
     /// Whether there are any.
     pub on: bool,
@@ -34,6 +34,8 @@ pub struct Ink {
     pub facing: f32,
     /// What becomes of lines behind something.
     pub hidden: HiddenLines,
+    /// What is drawn along lines, where a kind of edge has no stroke of its own; nothing for plain lines.
+    pub stroke: Option<Stroke>,
 }
 
 /// How lines are found (Real-Time Rendering, chapter 11).
@@ -71,7 +73,7 @@ impl EdgeKind {
 }
 
 /// How one kind of edge is drawn, where it differs from [`Ink`].
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Pen {
     /// Whether it is.
     pub on: bool,
@@ -81,6 +83,8 @@ pub struct Pen {
     pub width: Option<Width>,
     /// Lengths that are drawn and left out in turn, in pixels at [`Style::height_px`](crate::Style::height_px).
     pub dash_px: Option<[f32; 2]>,
+    /// What is drawn along it.
+    pub stroke: Option<Stroke>,
 }
 
 /// What becomes of lines that something hides.
@@ -104,13 +108,31 @@ pub enum Width {
 impl Ink {
     /// The pen of one kind of edge, as the style changes it.
     #[must_use]
-    pub fn pen(&self, kind: EdgeKind) -> Pen {
+    pub fn pen(&self, kind: EdgeKind) -> &Pen {
         match kind {
-            EdgeKind::Silhouette => self.silhouette,
-            EdgeKind::Crease => self.crease,
-            EdgeKind::Boundary => self.boundary,
-            EdgeKind::Material => self.material,
+            EdgeKind::Silhouette => &self.silhouette,
+            EdgeKind::Crease => &self.crease,
+            EdgeKind::Boundary => &self.boundary,
+            EdgeKind::Material => &self.material,
         }
+    }
+
+    /// The stroke along one kind of edge, if it has any.
+    #[must_use]
+    pub fn stroke_of(&self, kind: EdgeKind) -> Option<&Stroke> {
+        let pen = self.pen(kind);
+        pen.stroke.as_ref().or(self.stroke.as_ref()).filter(|stroke| stroke.on && self.on && pen.on)
+    }
+
+    /// The strokes of all kinds of edges that have any.
+    pub fn strokes(&self) -> impl Iterator<Item = &Stroke> {
+        EdgeKind::ALL.into_iter().filter_map(|kind| self.stroke_of(kind))
+    }
+
+    /// Whether any kind of edge has a stroke.
+    #[must_use]
+    pub fn has_strokes(&self) -> bool {
+        self.strokes().next().is_some()
     }
 
     /// The colour of one kind of edge.
@@ -136,7 +158,7 @@ impl Ink {
 
 impl Default for Ink {
     fn default() -> Self {
-        let pen = Pen { on: true, colour: None, width: None, dash_px: None };
+        let pen = Pen { on: true, colour: None, width: None, dash_px: None, stroke: None };
         Self {
             on: true,
             method: InkMethod::Hybrid,
@@ -146,13 +168,14 @@ impl Default for Ink {
             inner: 1.0,
             lit_thinning: 0.0,
             shortest: 0.0,
-            silhouette: pen,
-            crease: pen,
-            boundary: pen,
+            silhouette: pen.clone(),
+            crease: pen.clone(),
+            boundary: pen.clone(),
             material: pen,
             crease_deg: 60.0,
             facing: 0.25,
             hidden: HiddenLines::Gone,
+            stroke: None,
         }
     }
 }

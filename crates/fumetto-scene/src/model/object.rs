@@ -1,4 +1,4 @@
-use crate::{Detail, Imported, Mesh, Metamorphosis, Paint, Particle, Shape, Smoke, Style};
+use crate::{Detail, Imported, Ink, Mesh, Metamorphosis, Paint, Particle, Shape, Smoke, Style};
 
 /// A thing in the scene: matter, its shape, and how it is drawn.
 #[derive(Clone, Debug, PartialEq)]
@@ -17,6 +17,13 @@ pub struct Object {
     pub style: Style,
     /// Flat transparency of the whole object, from 0 to 1 (opaque).
     pub opacity: f32,
+}
+
+impl Object {
+    /// How its lines are drawn, then those of the surfaces inside it.
+    pub fn inks(&self) -> impl Iterator<Item = &Ink> {
+        std::iter::once(&self.style.ink).chain(self.details.iter().map(|detail| &detail.ink))
+    }
 }
 
 /// What an object is made of.

@@ -6,7 +6,7 @@ pub struct Paint {
     /// Drops, in the order of the file.
     pub drops: Vec<Drop>,
     /// Strokes of a brush, likewise.
-    pub strokes: Vec<Stroke>,
+    pub strokes: Vec<Brush>,
     /// What holds paint that is poured.
     pub cells: Option<Cells>,
     /// Paint that is poured into these; none without them.
@@ -40,7 +40,7 @@ pub struct Drop {
 
 /// A brush that paints along a path.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Stroke {
+pub struct Brush {
     /// Two places or more, in metres.
     pub path: Vec<[f32; 3]>,
     /// From when until when.

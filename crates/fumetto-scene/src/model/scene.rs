@@ -35,6 +35,8 @@ pub enum Background {
     },
     /// A PNG, scaled to cover the picture and centred.
     Image(String),
+    /// Paper of one colour, with its tooth.
+    Paper(Colour),
 }
 
 /// The scene's clock.

@@ -26,6 +26,8 @@ pub struct Style {
     pub material: f32,
     /// Values and strengths of each hue that a mesh's own colours are brought to; 0 keeps all.
     pub material_steps: u32,
+    /// Whether the object is not painted, and only hides what lies behind it.
+    pub mask: bool,
     /// How tones get onto puffs.
     pub shading: Shading,
     /// Lines.
@@ -46,7 +48,7 @@ impl Style {
             Ramp::Image(RampImage { rows, .. }) => *rows == RampRows::Middle,
             Ramp::Gooch(_) => false,
         };
-        let by_light_alone = by_light_alone && self.exaggerate.amount == 0.0;
+        let by_light_alone = by_light_alone && self.exaggerate.amount == 0.0 && !self.mask;
         by_light_alone && !self.highlight.on && !self.rim.on && !self.hatching.on
     }
 }
@@ -94,6 +96,7 @@ impl Default for Style {
             clean_px: 0.0,
             material: 1.0,
             material_steps: 0,
+            mask: false,
             shading: Shading::Auto,
             ink: Ink::default(),
             shadow: Shadow::default(),

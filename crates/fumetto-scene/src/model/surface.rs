@@ -23,7 +23,7 @@ impl Surface {
 
 /// A surface inside another, made of the same particles, of which only lines are drawn (Álvarez et al. 2007,
 /// section 5).
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Detail {
     /// Its `size` is over the particles' own radii, as that of the surface around it is.
     pub surface: Surface,

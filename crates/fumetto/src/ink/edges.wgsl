@@ -6,6 +6,13 @@
 @group(0) @binding(5) var<storage, read> triangles: array<Triangle>;
 @group(0) @binding(6) var<storage, read> parts: array<Part>;
 
+// Whether all of a segment lies behind the near plane.
+fn is_behind(segment: Segment) -> bool {
+    let start = (view.view_from_world * vec4f(segment.start, 1.0)).z;
+    let end = (view.view_from_world * vec4f(segment.end, 1.0)).z;
+    return max(-start, -end) < view.near;
+}
+
 // Whether all of a segment lies behind the near plane, or beyond one side of the picture.
 fn is_outside(segment: Segment) -> bool {
     let start = (view.view_from_world * vec4f(segment.start, 1.0)).xyz;
@@ -31,11 +38,21 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: ve
     if index >= arrayLength(&flags) {
         return;
     }
-    let segment = segment_of(candidate_at(index));
-    var shows = segment.pen != NO_PEN;
-    if shows {
-        let dashed = (pens[segment.pen].flags & DASHES_HIDDEN) != 0u;
-        shows = (!segment.behind || dashed) && !is_outside(segment);
+    let candidate = candidate_at(index);
+    let segment = segment_of(candidate);
+    var kinds = 0u;
+    if segment.pen != NO_PEN {
+        let pen = pens[segment.pen];
+        let kind = 1u << (segment.pen % KINDS);
+        let dashed = (pen.flags & DASHES_HIDDEN) != 0u;
+        let has_strokes = (pen.flags & HAS_STROKES) != 0u;
+        let shows = (!segment.behind || dashed) && !is_outside(segment);
+        // A contour may come through a corner, and goes on from there.
+        let has_length = (candidate.bits & CONTOUR) != 0u || any(segment.start != segment.end);
+        // Of strokes, what is hidden is drawn as plain lines are. Where they begin must not depend on what of them
+        // the picture shows.
+        kinds = select(0u, kind, shows && (dashed || !has_strokes))
+            | select(0u, kind << KINDS, has_strokes && !segment.behind && !is_behind(segment) && has_length);
     }
-    flags[index] = select(0u, 1u << (segment.pen % KINDS), shows);
+    flags[index] = kinds;
 }

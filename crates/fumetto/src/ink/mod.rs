@@ -9,6 +9,7 @@ mod methods;
 mod outline;
 mod pen;
 mod shell;
+mod stroke;
 #[cfg(test)]
 mod tests;
 mod vector;
@@ -21,6 +22,7 @@ pub(crate) use methods::Methods;
 pub(crate) use outline::Outline;
 pub(crate) use pen::{MAX_PENS, Pen, follows_edges};
 pub(crate) use shell::Shell;
+pub(crate) use stroke::{Drawing, Moment, StrokeStyle, StrokeTextures, Strokes, TOOTH_SIDE, reach_px, tooth};
 pub(crate) use vector::Vector;
 
 /// Number of the pen + 1, 0 where there is no ink; opacity of the line, 0 to 255.

@@ -22,6 +22,7 @@ pub(crate) struct Pen {
 const DRAWS: u32 = 1;
 const FOLLOWS_EDGES: u32 = 2;
 const DASHES_HIDDEN: u32 = 4;
+const HAS_STROKES: u32 = 8;
 
 /// Pens that a frame may have: as many as the ink layer tells apart. Also in `pen.wgsl`.
 pub(crate) const MAX_PENS: usize = 256;
@@ -52,6 +53,8 @@ impl Pen {
         };
         let draws = draws(object, kind);
         let follows_edges = in_cel && follows_edges(object, kind);
+        // Where there are strokes, these leave out what is too short.
+        let has_strokes = follows_edges && ink.stroke_of(kind).is_some();
         let flag = |on, bit| if on { bit } else { 0 };
         Self {
             colour: ink.colour_of(kind).to_srgb8().map(|channel| f32::from(channel) / 255.0),
@@ -59,11 +62,12 @@ impl Pen {
             width_px,
             width_m,
             dash_px: pen.dash_px.unwrap_or_default().map(|px| px * scale),
-            shortest_px: ink.shortest * width_px,
+            shortest_px: if has_strokes { 0.0 } else { ink.shortest * width_px },
             thinnest_px: width_px * (1.0 - ink.lit_thinning),
             flags: flag(draws, DRAWS)
                 | flag(follows_edges, FOLLOWS_EDGES)
-                | flag(ink.hidden == HiddenLines::Dashed, DASHES_HIDDEN),
+                | flag(ink.hidden == HiddenLines::Dashed, DASHES_HIDDEN)
+                | flag(has_strokes, HAS_STROKES),
             lit_thinning: ink.lit_thinning,
         }
     }
@@ -71,6 +75,11 @@ impl Pen {
     /// Whether it draws along the edges or contours of something of the cel.
     pub(crate) fn follows_edges(&self) -> bool {
         self.flags & FOLLOWS_EDGES != 0
+    }
+
+    /// Whether it draws strokes along them.
+    pub(crate) fn has_strokes(&self) -> bool {
+        self.flags & HAS_STROKES != 0
     }
 
     /// Length of the shortest line that is kept.

@@ -14,6 +14,7 @@ struct Pen {
     // How wide lines are where the light thins them.
     thinnest_px: f32,
     // Bit 0: draws. Bit 1: along the edges of a model, or contours of a surface, of this cel. Bit 2: dashes what is hidden.
+    // Bit 3: along these as strokes.
     flags: u32,
     // Share of a line's width that goes where it faces the light.
     lit_thinning: f32,
@@ -22,6 +23,7 @@ struct Pen {
 const DRAWS: u32 = 1u;
 const FOLLOWS_EDGES: u32 = 2u;
 const DASHES_HIDDEN: u32 = 4u;
+const HAS_STROKES: u32 = 8u;
 
 // Pens that a frame may have: as many as the ink layer tells apart. Also in `pen.rs`.
 const MAX_PENS: u32 = 256u;

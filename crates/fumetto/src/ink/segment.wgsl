@@ -14,6 +14,9 @@ struct Segment {
     pen: u32,
     // Whether nothing of the surface at the line is seen, because both triangles show their unseen side.
     behind: bool,
+    // The vertices between which the start lies, and the end; twice the same where it is at one.
+    start_between: vec2u,
+    end_between: vec2u,
 }
 
 const NO_PEN: u32 = 0xffffffffu;
@@ -51,7 +54,7 @@ fn pen_of(object: u32, kinds: u32) -> u32 {
 }
 
 fn contour_of(candidate: Candidate) -> Segment {
-    let nothing = Segment(vec3f(0.0), vec3f(0.0), NO_PEN, false);
+    let nothing = Segment(vec3f(0.0), vec3f(0.0), NO_PEN, false, vec2u(0u), vec2u(0u));
     let pen = pen_of(candidate_object(candidate), 1u << SILHOUETTE);
     if pen == NO_PEN {
         return nothing;
@@ -64,17 +67,26 @@ fn contour_of(candidate: Candidate) -> Segment {
     if all(away) || !any(away) {
         return nothing;
     }
-    // Two of its sides are crossed: those at the corner that differs from the others.
+    // Two of its sides are crossed: those at the corner that differs from the others. What is turned to the viewer
+    // lies on the line's left.
+    let corners = candidate.left;
     let ab = turning_point(a.position, turned.x, b.position, turned.y);
     let bc = turning_point(b.position, turned.y, c.position, turned.z);
     let ca = turning_point(c.position, turned.z, a.position, turned.x);
     if away.y == away.z {
-        return Segment(ca, ab, pen, false);
+        return ordered(Segment(ca, ab, pen, false, corners.zx, corners.xy), away.x);
     }
     if away.x == away.z {
-        return Segment(ab, bc, pen, false);
+        return ordered(Segment(ab, bc, pen, false, corners.xy, corners.yz), away.y);
     }
-    return Segment(bc, ca, pen, false);
+    return ordered(Segment(bc, ca, pen, false, corners.yz, corners.zx), away.z);
+}
+
+fn ordered(segment: Segment, keeps: bool) -> Segment {
+    if keeps {
+        return segment;
+    }
+    return Segment(segment.end, segment.start, segment.pen, segment.behind, segment.end_between, segment.start_between);
 }
 
 fn edge_of(candidate: Candidate) -> Segment {
@@ -82,10 +94,12 @@ fn edge_of(candidate: Candidate) -> Segment {
     let a = vertices[candidate.left.x];
     let b = vertices[candidate.left.y];
     let kinds = candidate.bits & ~CONTOUR & 15u;
+    let at_a = candidate.left.xx;
+    let at_b = candidate.left.yy;
     let left = vec2f(turned_to_viewer(a), turned_to_viewer(b));
     let left_unseen = (candidate.bits & LEFT_ONE_SIDED) != 0u && left.x + left.y < 0.0;
     if (candidate.bits & PAIRED) == 0u {
-        return Segment(a.position, b.position, pen_of(object, kinds), left_unseen);
+        return Segment(a.position, b.position, pen_of(object, kinds), left_unseen, at_a, at_b);
     }
     let sign = select(1.0, -1.0, (candidate.bits & FLIPPED) != 0u);
     let right = vec2f(turned_to_viewer(vertices[candidate.right.x]), turned_to_viewer(vertices[candidate.right.y]));
@@ -99,24 +113,25 @@ fn edge_of(candidate: Candidate) -> Segment {
         let silhouette = pen_of(object, 1u << SILHOUETTE);
         let otherwise = pen_of(object, kinds);
         if otherwise != NO_PEN {
-            return Segment(a.position, b.position, select(otherwise, silhouette, differs_in_the_middle && silhouette != NO_PEN), behind);
+            return Segment(a.position, b.position, select(otherwise, silhouette, differs_in_the_middle && silhouette != NO_PEN), behind, at_a, at_b);
         }
         let left_end = turning_point(a.position, left.x, b.position, left.y);
         let right_end = turning_point(a.position, facing.x, b.position, facing.y);
         let left_turns = (left.x < 0.0) != (left.y < 0.0);
         let crossing = select(right_end, left_end, left_turns);
+        let at_crossing = select(candidate.right.xy, candidate.left.xy, left_turns);
         if all(differs) {
-            return Segment(a.position, b.position, silhouette, behind);
+            return Segment(a.position, b.position, silhouette, behind, at_a, at_b);
         }
         if differs.x {
-            return Segment(a.position, crossing, silhouette, behind);
+            return Segment(a.position, crossing, silhouette, behind, at_a, at_crossing);
         }
         if differs.y {
-            return Segment(crossing, b.position, silhouette, behind);
+            return Segment(crossing, b.position, silhouette, behind, at_crossing, at_b);
         }
-        return Segment(left_end, right_end, silhouette, behind);
+        return Segment(left_end, right_end, silhouette, behind, candidate.left.xy, candidate.right.xy);
     }
-    return Segment(a.position, b.position, pen_of(object, kinds), behind);
+    return Segment(a.position, b.position, pen_of(object, kinds), behind, at_a, at_b);
 }
 
 fn segment_of(candidate: Candidate) -> Segment {

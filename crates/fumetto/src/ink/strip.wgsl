@@ -32,42 +32,8 @@ const UNSEEN: u32 = 1u;
 const DASHES_START: u32 = 2u;
 const CONTOUR_MARK: u32 = 4u;
 
-// Depths that differ by this share are equal: the layer is not exact, nor are models.
-const DEPTH_TOLERANCE: f32 = 2e-4;
-
-// What is nearer than a line by this many times its offset from the line's middle hides that half of it: of the
-// same object, whose surface bulges, and of another.
-const OWN_BULGE: f32 = 40.0;
-const OTHER_BULGE: f32 = 4.0;
-
-// Share of its depth by which a line of one rank may lie behind one of the next and still cover it: outlines go
-// over the ends of inner lines. Ranks are of silhouettes, creases, boundaries and borders of materials.
-const RANK_STEP: f32 = 4e-4;
-const RANKS: vec4f = vec4f(4.0, 2.0, 3.0, 1.0);
-
 // Lengths of dashes and gaps of hidden lines, in widths, where the pen has no others.
 const HIDDEN_DASH: vec2f = vec2f(4.0, 3.0);
-
-fn in_view(position: vec3f) -> vec3f {
-    return (view.view_from_world * vec4f(position, 1.0)).xyz;
-}
-
-// The depth of a triangle's plane, over the ray of a pixel.
-fn depth_plane(corners: vec3u) -> vec3f {
-    let a = in_view(vertices[corners.x].position);
-    let normal = cross(in_view(vertices[corners.y].position) - a, in_view(vertices[corners.z].position) - a);
-    let offset = dot(normal, a);
-    // Seen edge-on, it says nothing.
-    return select(vec3f(0.0), view.near * normal / offset, abs(offset) > 1e-6 * length(normal) * length(a));
-}
-
-// Depths of a triangle's farthest and nearest corner.
-fn depth_range(corners: vec3u) -> vec2f {
-    let a = depth_of(-in_view(vertices[corners.x].position).z);
-    let b = depth_of(-in_view(vertices[corners.y].position).z);
-    let c = depth_of(-in_view(vertices[corners.z].position).z);
-    return vec2f(min(a, min(b, c)), max(a, max(b, c)));
-}
 
 // Share of the first light that falls on the surface between two vertices.
 fn lit_between(a: Vertex, b: Vertex) -> f32 {
@@ -133,34 +99,12 @@ fn vertex(@builtin(vertex_index) index: u32) -> Corner {
     );
 }
 
-// Whether the surface that a pixel shows is of another object.
-fn is_other(id: u32, object: u32) -> bool {
-    if (id & TRIANGLE_BIT) == 0u {
-        return id != 0u;
-    }
-    return parts[triangles[id & ~TRIANGLE_BIT].part].object != object;
-}
-
 // Whether something lies before a place of the line's middle.
 fn is_hidden(middle: vec2f, depth: f32, corner: Corner) -> bool {
     if (corner.marks.y & CONTOUR_MARK) != 0u {
-        // Seen so nearly edge-on, the surface comes much nearer within a pixel: the farthest of the four around
-        // the place counts.
-        let first = vec2i(floor(middle - 0.5));
-        let last = vec2i(view.size_px) - 1;
-        var farthest = 1.0;
-        for (var pixel = 0; pixel < 4; pixel++) {
-            let at = clamp(first + vec2i(pixel & 1, pixel >> 1), vec2i(0), last);
-            farthest = min(farthest, textureLoad(depth_layer, at, 0));
-        }
-        return farthest > corner.left.w * (1.0 + DEPTH_TOLERANCE);
+        return hides_contour(middle, corner.left.w);
     }
-    let at = clamp(vec2i(floor(middle)), vec2i(0), vec2i(view.size_px) - 1);
-    let ray = ray_of(vec2f(at) + 0.5);
-    // The nearer of the two sides, as deep as it would be at that pixel.
-    let sides = max(dot(corner.left.xyz, ray), dot(corner.right.xyz, ray));
-    let surface = clamp(sides, depth, max(depth, corner.left.w));
-    return textureLoad(depth_layer, at, 0) > surface * (1.0 + DEPTH_TOLERANCE);
+    return hides_edge(middle, depth, corner.left.xyz, corner.right.xyz, corner.left.w);
 }
 
 // Whether a dash covers a place on the middle line, `share` of the way to the segment's end.
@@ -205,6 +149,9 @@ fn fragment(corner: Corner) -> Mark {
             discard;
         }
         rank = 0.0;
+    } else if (pen.flags & HAS_STROKES) != 0u {
+        // What is seen of it is drawn as a stroke.
+        discard;
     } else if corner.right.w > 0.0 && !is_dashed(corner, middle, share, pen.dash_px) {
         discard;
     }

@@ -1,7 +1,7 @@
 //! What each volume is to do in a step, from the clock alone.
 
 use bytemuck::{Pod, Zeroable};
-use fumetto_scene::{Drop, Growth, Paint, Stroke};
+use fumetto_scene::{Brush, Drop, Growth, Paint};
 use glam::Vec3;
 
 /// `Order` of `spread.wgsl`.
@@ -43,7 +43,7 @@ impl Source {
     }
 
     /// The brush goes along its path at an even speed.
-    fn of_stroke(stroke: &Stroke) -> Vec<Self> {
+    fn of_stroke(stroke: &Brush) -> Vec<Self> {
         let ends: Vec<[Vec3; 2]> =
             stroke.path.windows(2).map(|pair| [pair[0], pair[1]].map(Vec3::from)).collect();
         let length = |[from, to]: &[Vec3; 2]| f64::from(from.distance(*to));
@@ -110,7 +110,7 @@ mod tests {
     #[test]
     fn a_brush_goes_along_its_path_at_an_even_speed() {
         let path = vec![[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 3.0, 0.0]];
-        let stroke = Stroke { path, during_secs: [1.0, 5.0], radius: growth(&[[0.0, 0.5]]), start_m: 0.1 };
+        let stroke = Brush { path, during_secs: [1.0, 5.0], radius: growth(&[[0.0, 0.5]]), start_m: 0.1 };
         let pieces = Source::of_stroke(&stroke);
         let ends = |until: f64| {
             let orders = pieces.iter().map(|piece| piece.order([until - 0.5, until], 1.0));

@@ -3,13 +3,16 @@
 use std::collections::BTreeMap;
 
 use fumetto_formats::Image;
-use fumetto_scene::{Background, Ink, InkMethod, Matter, Object, Ramp, RampImage, Scene, Style};
+use fumetto_scene::{
+    Background, Ink, InkMethod, Matter, Object, Ramp, RampImage, Scene, StrokeTexture, Style,
+};
 
 use crate::{
     Assets, Error,
     assets::load_image,
     details::Details,
     gpu::Gpu,
+    ink::StrokeTextures,
     tone::{Backdrop, Ramps},
 };
 
@@ -90,6 +93,29 @@ pub(super) fn load_backdrop(gpu: &Gpu, scene: &Scene, assets: &dyn Assets) -> Re
         _ => None,
     };
     Ok(Backdrop::new(gpu, &scene.background, image.as_ref()))
+}
+
+/// Whether any lines are drawn as strokes, in any look.
+pub(super) fn has_strokes(scene: &Scene) -> bool {
+    inks(scene).any(Ink::has_strokes)
+}
+
+/// How lines of all objects are drawn, in all looks.
+fn inks(scene: &Scene) -> impl Iterator<Item = &Ink> {
+    let looks = (0..scene.objects.len()).flat_map(|object| scene.styles_of(object));
+    scene.objects.iter().flat_map(Object::inks).chain(looks.map(|style| &style.ink))
+}
+
+pub(super) fn load_strokes(gpu: &Gpu, scene: &Scene, assets: &dyn Assets) -> Result<StrokeTextures, Error> {
+    let mut images = BTreeMap::new();
+    for stroke in inks(scene).flat_map(Ink::strokes) {
+        if let StrokeTexture::File(path) = &stroke.texture
+            && !images.contains_key(path)
+        {
+            images.insert(path.clone(), load_image(assets, path)?);
+        }
+    }
+    Ok(StrokeTextures::new(gpu, &images))
 }
 
 /// For each object the angle from which on edges are creases, where it wants lines along them in any look.

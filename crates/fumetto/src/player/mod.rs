@@ -21,17 +21,18 @@ use crate::{
     assets::load_particles,
     details::{Details, Layer},
     gpu::Gpu,
+    ink::StrokeTextures,
     paint::PaintScene,
     particles::Plume,
     shapes::{
-        mesh::{Geometry, MeshScene, Shells, candidates},
+        mesh::{Geometry, MeshScene, Shells, candidates, seams},
         puffs::{Placement, PuffScene, still_puffs},
         surface::SurfaceScene,
         volume::VolumeScene,
     },
     tone::Backdrop,
 };
-use looks::{crease_degs, exaggerated_scales, load_backdrop, wants_shell};
+use looks::{crease_degs, exaggerated_scales, has_strokes, load_backdrop, load_strokes, wants_shell};
 use matter::{note_on_nothing, play_matter, play_mesh, seed_of};
 use paints::notes_on_paint;
 use puffs::{atlas, check_room, place, variants_of};
@@ -53,6 +54,8 @@ pub struct Player {
     /// The first is the scene's own; the others are those of paints.
     pub(crate) looks: Vec<Look>,
     pub(crate) backdrop: Backdrop,
+    /// Where anything has strokes.
+    pub(crate) strokes: Option<StrokeTextures>,
     /// Steps of the simulation done so far.
     pub(crate) steps: u64,
     /// The frame that is shown.
@@ -112,7 +115,11 @@ impl Player {
         let casts =
             |object: u32| scene.objects.get(object as usize).is_some_and(|object| scene.casts(object));
         let shells = Shells::new(&geometry, casts);
-        let meshes = MeshScene::new(gpu, &geometry, &shells, &candidates(&geometry, &crease_degs(&scene)))?;
+        let has_strokes = has_strokes(&scene);
+        let seams = if has_strokes { seams(&geometry) } else { Vec::new() };
+        let candidates = candidates(&geometry, &crease_degs(&scene));
+        let meshes = MeshScene::new(gpu, &geometry, &shells, &candidates, &seams)?;
+        let strokes = if has_strokes { Some(load_strokes(gpu, &scene, &*assets)?) } else { None };
         let paints = PaintScene::new(gpu, &scene, &geometry, |index| seed_of(&scene, index as u32));
         notes.extend(notes_on_paint(&scene, &objects, &geometry, &paints));
         let looks = Look::all(gpu, &scene, &details, &*assets)?;
@@ -131,6 +138,7 @@ impl Player {
             paints,
             looks,
             backdrop,
+            strokes,
             steps,
             shown,
             notes,
@@ -182,6 +190,7 @@ impl Player {
             Shape::Surface(surface) => surface.drifts(),
             Shape::Volume(volume) => volume.drifts(),
         };
+        let boils = |object: &Object| object.inks().flat_map(Ink::strokes).any(|stroke| stroke.boil > 0);
         let stands = |object: &PlayedObject| match &object.matter {
             PlayedMatter::Still(_) => !drifts(&self.scene.objects[object.placement.object as usize]),
             PlayedMatter::Sequence(..)
@@ -191,7 +200,11 @@ impl Player {
             PlayedMatter::Model(played) => !played.model.is_animated(),
             PlayedMatter::Imported(volume) => !volume.is_sequence(),
         };
-        if self.objects.iter().all(stands) { 0 } else { self.held(frame) }
+        if self.objects.iter().all(stands) && !self.scene.objects.iter().any(boils) {
+            0
+        } else {
+            self.held(frame)
+        }
     }
 
     /// The frame whose state is drawn when `frame` is asked for: every second one on twos.

@@ -1,6 +1,6 @@
 //! Surfaces, made of puffs that have their places, and room for their triangles.
 
-use fumetto_scene::{Ink, InkMethod, Matter, Object, Scene, Surface, SurfacePlan};
+use fumetto_scene::{EdgeKind, Ink, InkMethod, Matter, Object, Scene, Surface, SurfacePlan};
 
 use super::{PlayedMatter, PlayedObject};
 use crate::{
@@ -21,7 +21,8 @@ pub(super) fn add_surface(
     (surface, ink): (&Surface, &Ink),
     matter: &PlayedMatter,
 ) {
-    let has_lines = ink.on && ink.method == InkMethod::Vector;
+    let has_strokes = ink.stroke_of(EdgeKind::Silhouette).is_some();
+    let has_lines = ink.on && (ink.method == InkMethod::Vector || has_strokes);
     match plan(scene, object, surface, matter) {
         Some(plan) => geometry.add_surface(plan.room.vertices, plan.room.triangles, has_lines),
         None => geometry.add_nothing(),

@@ -3,7 +3,13 @@
 use fumetto_formats::Image;
 use fumetto_scene::{Background, Colour};
 
-use crate::gpu::Gpu;
+use crate::{
+    gpu::Gpu,
+    ink::{TOOTH_SIDE, tooth},
+};
+
+/// Share of its light that paper's deepest pore loses.
+const PORE_SHADE: f32 = 0.06;
 
 /// Rows of a gradient: more than there are bytes' worth of steps in one.
 const GRADIENT_ROWS: u32 = 1024;
@@ -18,6 +24,8 @@ pub(crate) enum Backdrop {
     Gradient(wgpu::TextureView),
     /// Scaled to cover the picture, centred.
     Image(wgpu::TextureView),
+    /// Repeated.
+    Paper(wgpu::TextureView),
 }
 
 impl Backdrop {
@@ -34,9 +42,20 @@ impl Backdrop {
             (&Background::Gradient { top, bottom }, None) => {
                 Self::Gradient(upload(gpu, &gradient(top, bottom)))
             }
+            (&Background::Paper(colour), None) => Self::Paper(upload(gpu, &paper(colour))),
             (Background::Image(_), None) => unreachable!("a background image is read before it is drawn"),
         }
     }
+}
+
+/// Paper whose pores are in the shade.
+fn paper(colour: Colour) -> Image {
+    let pixels = tooth().into_iter().flat_map(|depth| {
+        let light = 1.0 - PORE_SHADE * f32::from(depth) / 255.0;
+        let [r, g, b] = Colour { linear: colour.linear.map(|channel| light * channel) }.to_srgb8();
+        [r, g, b, 255]
+    });
+    Image { width: TOOTH_SIDE, height: TOOTH_SIDE, pixels: pixels.collect() }
 }
 
 /// A column of pixels from `top` to `bottom`, mixed in linear light.

@@ -203,7 +203,8 @@ impl Compose {
 }
 
 impl<'a> Under<'a> {
-    /// The image to lay, if any, and how: 1 stretched over the picture, 2 scaled to cover it.
+    /// The image to lay, if any, and how: 1 stretched over the picture, 2 scaled to cover it,
+    /// 3 repeated.
     fn image(self) -> Option<(u32, &'a wgpu::TextureView)> {
         let backdrop = match self {
             Self::Backdrop(backdrop) | Self::GreyBackdrop(backdrop) => backdrop,
@@ -213,6 +214,7 @@ impl<'a> Under<'a> {
             Backdrop::Transparent => None,
             Backdrop::Colour(_, image) | Backdrop::Gradient(image) => Some((1, image)),
             Backdrop::Image(image) => Some((2, image)),
+            Backdrop::Paper(image) => Some((3, image)),
         }
     }
 }

@@ -2,7 +2,7 @@
 struct Compose {
     // Samples along each side of a pixel.
     samples: i32,
-    // 0 nothing, 1 an image stretched over the picture, 2 one scaled to cover it.
+    // 0 nothing, 1 an image stretched over the picture, 2 one scaled to cover it, 3 one that repeats.
     under: u32,
     // Pixels along a cell of the layer that tells where there is ink.
     cell: f32,

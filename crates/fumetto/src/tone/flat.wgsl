@@ -208,6 +208,9 @@ fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
     }
     let distance = distance_of(textureLoad(depth_layer, px, 0));
     let seen = seen_at(id, px, distance);
+    if (styles[seen.object].flags & IS_MASK) != 0u {
+        discard;
+    }
     let place = (view.world_from_view * vec4f(ray_of(position.xy) * distance, 1.0)).xyz;
     let at = Sight(position.xy, distance, place, normalize(view.world_from_view[3].xyz - place));
     let shadow = textureSampleLevel(shadows, linear, position.xy / view.size_px, 0.0);

@@ -35,8 +35,8 @@ fn vertex(@builtin(vertex_index) index: u32) -> @builtin(position) vec4f {
 @fragment
 fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let line = line_at(vec2i(position.xy));
-    if line.a == 0.0 {
+    if line.share == 0.0 {
         discard;
     }
-    return vec4f(line.rgb, 1.0);
+    return vec4f(line.colour.rgb, 1.0);
 }

@@ -199,6 +199,7 @@ fn background(scene: &Scene) -> String {
             format!("{} to {}", hex(top.to_srgb8()), hex(bottom.to_srgb8()))
         }
         Background::Image(path) => path.clone(),
+        Background::Paper(colour) => format!("paper {}", hex(colour.to_srgb8())),
     }
 }
 

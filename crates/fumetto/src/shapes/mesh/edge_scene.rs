@@ -9,7 +9,10 @@ pub(crate) struct EdgeScene {
     /// `Candidate`s of `candidate.wgsl`.
     pub(crate) candidates: wgpu::Buffer,
     pub(crate) count: u32,
-    /// For each of them the bit of the kind of edge that it is in the view that is drawn; 0 without a line.
+    /// What stands for each vertex where lines meet, if any are drawn as strokes: see `seams.rs`.
+    pub(crate) seams: wgpu::Buffer,
+    /// For each of them the bit of the kind of edge that it is in the view that is drawn; 0 without a line. Four bits
+    /// more are those of strokes.
     pub(crate) flags: wgpu::Buffer,
     /// Those with lines.
     pub(crate) list: DrawList,
@@ -51,7 +54,7 @@ impl ContourScene {
 impl MeshScene {
     /// All that lines of the objects may run along which `members` numbers.
     pub(crate) fn lines(&self, members: &[usize]) -> Vec<LineScene<'_>> {
-        let EdgeScene { candidates, count, flags, list } = &self.edges;
+        let EdgeScene { candidates, count, flags, list, .. } = &self.edges;
         let models = LineScene { of_surface: false, candidates, count: *count, flags, list };
         let has_models = *count > 0 && members.iter().any(|&member| !self.objects[member].is_empty());
         let made = self.reserved.iter().filter(|reserved| members.contains(&reserved.object));
@@ -74,7 +77,7 @@ fn flags(gpu: &Gpu, label: &str, count: u32) -> wgpu::Buffer {
 }
 
 impl EdgeScene {
-    pub(crate) fn new(gpu: &Gpu, candidates: &[Candidate]) -> Self {
+    pub(crate) fn new(gpu: &Gpu, candidates: &[Candidate], seams: &[[u32; 2]]) -> Self {
         let count = candidates.len() as u32;
         let nothing = [bytemuck::Zeroable::zeroed()];
         Self {
@@ -84,6 +87,11 @@ impl EdgeScene {
                 usage: wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC,
             }),
             count,
+            seams: gpu.device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
+                label: Some("shapes.mesh.seams"),
+                contents: bytemuck::cast_slice(if seams.is_empty() { &[[0; 2]] } else { seams }),
+                usage: wgpu::BufferUsages::STORAGE,
+            }),
             flags: flags(gpu, "shapes.mesh.edges", count),
             list: DrawList::new(gpu, "shapes.mesh.lines", count, 1),
         }

@@ -49,7 +49,7 @@ pub(crate) mod bit {
 pub(crate) const OBJECT_SHIFT: u32 = 16;
 
 /// Square of the distance between unit normals up to which they are one: rounding, in files and by us.
-const SAME_NORMAL: f32 = 1e-6;
+pub(super) const SAME_NORMAL: f32 = 1e-6;
 
 /// Most triangles at one edge whose neighbours are worth finding; beyond it the model is broken, and the time
 /// to pair them grows with the square.

@@ -83,12 +83,14 @@ pub struct MeshError {
 }
 
 impl MeshScene {
-    /// `shells` and `candidates` are those of `geometry`.
+    /// `shells`, `candidates` and `seams` are those of `geometry`; there are none of the last where nothing has
+    /// strokes.
     pub(crate) fn new(
         gpu: &Gpu,
         geometry: &Geometry,
         shells: &Shells,
         candidates: &[Candidate],
+        seams: &[[u32; 2]],
     ) -> Result<Self, MeshError> {
         let Geometry { sources, triangles, parts, smoothed, pieces, pushes, .. } = geometry;
         let ends = [sources.len() as u64, triangles.len() as u64];
@@ -121,7 +123,7 @@ impl MeshScene {
             pushes: buffer("shapes.mesh.pushes", size_of_val(&pushes[..]).max(size_of::<Push>()) as u64),
             textures,
             sampler,
-            edges: EdgeScene::new(gpu, candidates),
+            edges: EdgeScene::new(gpu, candidates, seams),
             objects: geometry.objects.clone(),
             has_holes: geometry.has_holes,
             casters: Casters::new(gpu, shells, &reserved)?,

@@ -21,7 +21,7 @@ fn assert_neighbours(cloud: &[Particle], recipe: &Recipe, room: SurfaceRoom) -> 
     geometry.add_surface(3, 5, false);
     geometry.add_surface(room.vertices, room.triangles, false);
     let shells = Shells { surfaces: vec![false, true], ..Shells::default() };
-    let meshes = MeshScene::new(&bench.gpu, &geometry, &shells, &[]).expect("the room is modest");
+    let meshes = MeshScene::new(&bench.gpu, &geometry, &shells, &[], &[]).expect("the room is modest");
     let puffs = super::puffs(&bench.gpu, cloud, super::UNFADED);
     let mut frame = Frame::new(&bench.gpu, &bench.pool, "test");
     let work = Workspace::new(&bench.gpu, room);

@@ -76,7 +76,7 @@ fn meshes(gpu: &Gpu, room: SurfaceRoom) -> MeshScene {
     let mut geometry = Geometry::default();
     geometry.add_surface(3, 5, false);
     geometry.add_surface(room.vertices, room.triangles, false);
-    MeshScene::new(gpu, &geometry, &Shells::default(), &[]).expect("the room is modest")
+    MeshScene::new(gpu, &geometry, &Shells::default(), &[], &[]).expect("the room is modest")
 }
 
 fn reserved(meshes: &MeshScene) -> &Reserved {
