@@ -45,7 +45,7 @@ impl Body {
         let nearest = if is_empty { &self.alone } else { &self.among };
         frame.compute_indirect("shapes.puffs.nearest", nearest, &bindings, &bins.dispatch);
         frame.raster("shapes.puffs.fill", &self.fill, layers.target(), &bins.covered(), |pass| {
-            bins.draw(pass)
+            bins.draw(pass);
         });
     }
 }
