@@ -140,6 +140,8 @@ fn strokes() {
     // A sample's share of a stroke is a fraction, which may be rounded to either side.
     check_within(1, "cumulus", 0, &[("style.hatching", hatching)]);
     check_within(1, "engraving", 0, &[]);
+    let round_it = ("style.hatching", "{ along = \"curvature\", layers = 1 }");
+    check_within(1, "cloud", 0, &[round_it, ("output.antialias", "3")]);
 }
 
 #[test]
