@@ -19,7 +19,7 @@ static ENGINE: LazyLock<Mutex<Engine>> =
 const SIZE: [u32; 2] = [320, 180];
 
 /// Share of places that may be other than the picture's samples say: slits and tips that are narrower than a pixel.
-const ODD: f64 = 5e-4;
+const ODD: f64 = 1e-3;
 
 fn scenes() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes")
