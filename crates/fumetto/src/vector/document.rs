@@ -15,11 +15,14 @@ use super::{
 };
 use crate::{Player, frame::Plate};
 
-/// Tones of fewer square pixels join their surroundings: a hand would not draw them.
+/// Tones of fewer square pixels, in a picture of [`HEIGHT_PX`], join their surroundings: a hand would not draw them.
 const LEAST_TONE_PX: f64 = 2.0;
 
 /// Likewise pieces of lines.
 const LEAST_INK_PX: f64 = 4.0;
+
+/// Height of a picture for which these are meant, as lengths of styles are.
+const HEIGHT_PX: f64 = 720.0;
 
 /// One line or part of one: whose, of which kind, how opaque, and where.
 pub(super) struct Stroke {
@@ -80,6 +83,11 @@ impl Cel<'_> {
         [0, 1].map(|axis| self.plate.size[axis] as f64 / f64::from(self.size_px[axis]))
     }
 
+    /// An area as it is in this picture.
+    fn scaled(&self, area_px: f64) -> f64 {
+        area_px * (f64::from(self.size_px[1]) / HEIGHT_PX).powi(2)
+    }
+
     /// The layer of flat tones, and the opacity of what is opaque in the cel.
     fn tones(&self) -> (Folder, f32) {
         let mut layer = Folder::layer("tones");
@@ -88,7 +96,7 @@ impl Cel<'_> {
         if self.options.plotter {
             return (layer, whole);
         }
-        let paths = traced(labels, &turns, self.per_px(), (LEAST_TONE_PX, Hand::TONES));
+        let paths = traced(labels, &turns, self.per_px(), (self.scaled(LEAST_TONE_PX), Hand::TONES));
         for (tones, paths) in list.chunk_by(|a, b| a.object == b.object).zip(grouped(&list, paths)) {
             let object = tones[0].object;
             if !self.is_wanted(object) {
@@ -151,7 +159,7 @@ impl Cel<'_> {
         let paths: Vec<_> = if self.options.plotter {
             (1..=marks.len() as u16).map(|label| self.middles(&labels, label)).collect()
         } else {
-            let paths = traced(labels, &turns(&marks), self.per_px(), (LEAST_INK_PX, Hand::INK));
+            let paths = traced(labels, &turns(&marks), self.per_px(), (self.scaled(LEAST_INK_PX), Hand::INK));
             paths.into_iter().skip(1).map(|path| (path, None)).collect()
         };
         let strokes = marks.iter().zip(paths).map(stroke);

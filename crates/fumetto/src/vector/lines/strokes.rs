@@ -170,17 +170,17 @@ fn corners(places: &[Point], is_closed: bool) -> Vec<usize> {
                 break;
             }
         }
-        (places[at], gone)
+        places[at]
     };
-    let turn = |index: usize| -> (f64, f64, f64) {
-        let ((before, back), (after, on)) = (away(index, count - 1), away(index, 1));
-        let (come, go): (Vec2, Vec2) = (places[index] - before, after - places[index]);
-        (come.cross(go).atan2(come.dot(go)).abs(), back, on)
+    let turn = |index: usize| {
+        let come: Vec2 = places[index] - away(index, count - 1);
+        let go: Vec2 = away(index, 1) - places[index];
+        come.cross(go).atan2(come.dot(go)).abs()
     };
     let mut found: Vec<(usize, f64)> = Vec::new();
     let mut since = f64::INFINITY;
     for index in range {
-        let (turned, ..) = turn(index);
+        let turned = turn(index);
         if index > 0 {
             since += (places[index] - places[index - 1]).hypot();
         }
