@@ -188,7 +188,7 @@ impl Painter {
         let normal = self.normal.record(&mut frame, subject, &layers, 1);
         let ink = self.ink(&mut frame, subject, &setting, &cel.members, (&layers, None, &room.bins));
         frame.submit();
-        Proof { depth: layers.depth, id: layers.id, normal, ink }
+        Proof { depth: layers.depth, id: layers.id, normal, ink, lobes: player.lobes() }
     }
 
     /// Looks at the scene, and makes room for what it takes to draw it.

@@ -1,6 +1,6 @@
 //! Layers as pictures, for other programs and for the curious.
 
-use std::{fmt, str::FromStr};
+use std::{fmt, ops::Range, str::FromStr};
 
 use fumetto_formats::Image;
 use half::f16;
@@ -67,6 +67,8 @@ pub(crate) struct Proof {
     pub(crate) id: Transient,
     pub(crate) normal: Transient,
     pub(crate) ink: Transient,
+    /// Numbers of puffs that stand for one thing, each.
+    pub(crate) lobes: Vec<Range<u32>>,
 }
 
 impl Proof {
@@ -82,11 +84,17 @@ impl Proof {
         let pixels = match layer {
             Layer::Normal => normal_pixels(&bytes),
             Layer::Depth => depth_pixels(&bytes),
-            Layer::Id => words(&bytes).flat_map(id_colour).collect(),
+            Layer::Id => words(&bytes).flat_map(|id| id_colour(self.thing(id))).collect(),
             Layer::Alpha => words(&bytes).flat_map(|id| mask_colour(id != 0)).collect(),
             Layer::Ink => bytes.chunks_exact(2).flat_map(|mark| mask_colour(mark[0] != 0)).collect(),
         };
         Ok(Image { width: texture.width(), height: texture.height(), pixels })
+    }
+
+    /// One number for all that stand for the same.
+    fn thing(&self, id: u32) -> u32 {
+        let whole = self.lobes.iter().find(|lobes| id > 0 && lobes.contains(&(id - 1)));
+        whole.map_or(id, |lobes| lobes.start + 1)
     }
 }
 

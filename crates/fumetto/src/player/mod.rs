@@ -13,6 +13,8 @@ pub(crate) use imported::{load as load_imported, path as imported_path};
 pub(crate) use looks::Look;
 pub(crate) use matter::{PlayedMatter, PlayedModel, PlayedObject};
 
+use std::ops::Range;
+
 use fumetto_formats::sequence_path;
 use fumetto_scene::{Matter, Object, Particle, Scene, Shape};
 
@@ -179,6 +181,17 @@ impl Player {
             | PlayedMatter::Imported(_)
             | PlayedMatter::Paint => None,
         })
+    }
+
+    /// For each volume out of a file, the numbers of the puffs that stand for it.
+    pub(crate) fn lobes(&self) -> Vec<Range<u32>> {
+        let imported =
+            self.objects.iter().filter(|object| matches!(object.matter, PlayedMatter::Imported(_)));
+        let lobes = imported.map(|object| {
+            let first = object.placement.first;
+            first..first + object.capacity
+        });
+        lobes.collect()
     }
 
     /// The number of the drawing that `frame` shows: frames that are held share one, and so do all frames
