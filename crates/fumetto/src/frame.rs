@@ -197,7 +197,7 @@ impl Painter {
         let layers = self.fill(frame, subject, room, filled, opaque);
         let shadow = self.shadow(frame, subject, setting, room, &layers);
         // Where nothing is averaged or half transparent, tones go straight into the picture.
-        let blends = opaque.is_some() || setting.strokes(&cel.members).is_some();
+        let blends = opaque.is_some() || setting.drawing(&cel.members).is_some();
         let own =
             (setting.sheet.samples > 1 || blends).then(|| frame.texture("tone.cel", layers.size, CEL_FORMAT));
         let canvas = Canvas { view: own.as_deref().unwrap_or(target), is_picture: own.is_none() };
@@ -332,7 +332,7 @@ impl Painter {
         let along_edges = setting.pens(members).iter().any(Pen::follows_edges);
         let lines =
             along_edges.then(|| self.vector.record(frame, subject, &self.compact, (layers, members), ink));
-        if let (Some(strokes), Some(drawing), Some(depth)) = (&self.strokes, setting.strokes(members), &lines)
+        if let (Some(strokes), Some(drawing), Some(depth)) = (&self.strokes, setting.drawing(members), &lines)
         {
             let seen = (layers, members);
             strokes.record(frame, subject, &self.compact, &drawing, seen, (ink, depth));
