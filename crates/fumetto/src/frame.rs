@@ -241,7 +241,7 @@ impl Painter {
             return (layers, arounds);
         }
         // Where nothing is averaged or half transparent, tones go straight into the picture.
-        let blends = opaque.is_some() || setting.strokes(&cel.members).is_some();
+        let blends = opaque.is_some() || setting.drawing(&cel.members).is_some();
         let is_picture = setting.sheet.samples == 1 && !blends;
         if is_picture {
             self.compose.lay(frame, under, setting.sheet, target);
@@ -441,7 +441,7 @@ impl Painter {
         let along_edges = setting.pens(members).iter().any(Pen::follows_edges);
         let lines =
             along_edges.then(|| self.vector.record(frame, subject, &self.compact, (layers, members), ink));
-        if let (Some(strokes), Some(drawing), Some(depth)) = (&self.strokes, setting.strokes(members), &lines)
+        if let (Some(strokes), Some(drawing), Some(depth)) = (&self.strokes, setting.drawing(members), &lines)
         {
             let seen = (layers, members);
             strokes.record(frame, subject, &self.compact, &drawing, seen, (ink, depth));

@@ -57,7 +57,7 @@ impl<'a> Setting<'a> {
     }
 
     /// How strokes are drawn, where there are any in what `members` numbers.
-    pub(crate) fn strokes(&self, members: &[usize]) -> Option<Drawing<'_>> {
+    pub(crate) fn drawing(&self, members: &[usize]) -> Option<Drawing<'_>> {
         let textures = self.player.strokes.as_ref()?;
         self.pens(members).iter().any(Pen::has_strokes).then(|| {
             let styles = StrokeStyle::of_all(&self.drawn(), textures, self.moment);

@@ -8,17 +8,6 @@
 @group(0) @binding(5) var under: texture_2d<f32>;
 @group(0) @binding(6) var linear: sampler;
 
-// The cel with its ink at one sample: linear, times its alpha.
-fn drawn_at(at: vec2i) -> vec4f {
-    let line = line_at(at);
-    let cel = textureLoad(cel, at, 0);
-    return mix(multiplied(cel), multiplied(line.colour), line.share);
-}
-
-fn multiplied(colour: vec4f) -> vec4f {
-    return vec4f(decoded(colour.rgb) * colour.a, colour.a);
-}
-
 @fragment
 fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let first = vec2i(position.xy) * compose.samples;
@@ -29,7 +18,8 @@ fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
     var sum = vec4f(0.0);
     for (var y = 0; y < compose.samples; y++) {
         for (var x = 0; x < compose.samples; x++) {
-            sum += drawn_at(first + vec2i(x, y));
+            let at = first + vec2i(x, y);
+            sum += inked(textureLoad(cel, at, 0), line_at(at));
         }
     }
     sum /= f32(compose.samples * compose.samples);

@@ -47,6 +47,17 @@ fn washed(colour: vec3f, marks: u32) -> vec3f {
     return select(colour, encoded(light), is_washed);
 }
 
+// The cel with its ink; straight alpha, encoded. Where nothing is mixed, colours stay just as they were picked.
+fn drawn_at(at: vec2i) -> vec4f {
+    let cel = textureLoad(cel, at, 0);
+    let line = line_at(at);
+    if line.share == 0.0 || line.share == 1.0 {
+        return select(cel, line.colour, line.share == 1.0);
+    }
+    let sum = inked(cel, line);
+    return select(vec4f(0.0), vec4f(encoded(sum.rgb / sum.a), sum.a), sum.a > 0.0);
+}
+
 @fragment
 fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let px = vec2u(position.xy);
@@ -61,8 +72,7 @@ fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
     if look != reveal.look {
         return textureLoad(before, px, 0);
     }
-    let line = line_at(vec2i(px));
-    var drawn = select(textureLoad(cel, px, 0), line, line.a > 0.0);
+    var drawn = drawn_at(vec2i(px));
     if (flags & MONOCHROME) != 0u {
         drawn = vec4f(monochrome(drawn.rgb), drawn.a);
     }
