@@ -43,7 +43,7 @@ draw metamorphosis metamorphosis.png --frame 60 "${large[@]}"
 draw storm storm.png "${large[@]}"
 draw puff-fuzzy puff-fuzzy.png "${large[@]}"
 draw engraving engraving.png --size 960x540 # strokes want room
-draw paint paint.png --frame 90 "${large[@]}"
+draw paint paint.png --frame 100 "${large[@]}"
 draw paint-wash paint-wash.png --frame 143 "${large[@]}"
 draw paint-pour paint-pour.png --frame 130 "${large[@]}"
 draw day-night day-night.png --frame 84 "${large[@]}"

@@ -49,7 +49,7 @@ def hills(height, wave, phase, nearer):
 def disc(x, y, radius, nearer):
     angles = 2.0 * np.pi * np.arange(48) / 48
     flat = np.concatenate([[(x, y)], np.stack([x + radius * np.cos(angles), y + radius * np.sin(angles)], axis=1)])
-    return bent(flat, nearer), np.array([(0, (k + 1) % 48 + 1, k + 1) for k in range(48)])
+    return bent(flat, nearer), np.array([(0, k + 1, (k + 1) % 48 + 1) for k in range(48)])
 
 
 def cloud(x, y, size):
@@ -75,7 +75,7 @@ def lit(mesh):
 
 air = model.material("air", "#a9d6ee", double_sided=True)
 far, near = model.material("far hills", "#9cc2a8", double_sided=True), model.material("hills", "#86b079", double_sided=True)
-card, light = model.material("cloud", "#ffffff", double_sided=True), model.material("sun", "#ffe9a0", double_sided=True)
+card, light = model.material("cloud", "#ffffff", double_sided=True), model.material("sun", "#fff3c4", double_sided=True)
 model.node("air", [(air, lit(backdrop()))])
 model.node("sun", [(light, lit(disc(-15.5, 10.2, 1.5, 0.5)))])
 model.node("far hills", [(far, lit(hills(1.4, 0.9, 0.3, 1.0)))])

@@ -293,7 +293,7 @@ impl Painter {
             arounds.push(around);
         }
         if let (Some(cel), Some(around)) = (revealed, arounds.last()) {
-            let inked = self.reveal.nothing_inked(frame);
+            let inked = Reveal::nothing_inked(frame);
             let inked = Inked { ink: &inked, around, known: None };
             let (view, lights, pens) = setting.buffers(frame, &[]);
             let subject = Subject { scene, meshes, view: &view, lights: &lights, pens: &pens };

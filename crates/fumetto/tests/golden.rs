@@ -188,7 +188,7 @@ fn puff_fuzzy_looks_as_it_did() {
 
 #[test]
 fn paint_looks_as_it_did() {
-    check("paint", 90);
+    check("paint", 100);
 }
 
 #[test]

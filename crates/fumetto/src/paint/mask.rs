@@ -6,8 +6,8 @@ use crate::{
     layers::Layers,
 };
 
-/// Pixels along the side of a tile. Also in `mask.wgsl`.
-const TILE_PX: u32 = 32;
+/// Pixels of a tile along x and y. Also in `mask.wgsl`.
+const TILE_PX: [u32; 2] = [32, 16];
 
 /// The long-lived kernel.
 #[derive(Debug)]
@@ -60,7 +60,7 @@ impl Mask {
                 paints.patches.as_entire_binding(),
                 mask.as_entire_binding(),
             ],
-            [width.div_ceil(TILE_PX), height.div_ceil(TILE_PX), 1],
+            [width.div_ceil(TILE_PX[0]), height.div_ceil(TILE_PX[1]), 1],
         );
         Marks { mask, coats }
     }

@@ -14,11 +14,10 @@
 // Two pixels a word, row after row.
 @group(0) @binding(8) var<storage, read_write> mask: array<u32>;
 
-const LANES: u32 = 64u;
-
-// Pixels along the side of a tile, and what is known of two of them at a time.
-const TILE_PX: u32 = 32u;
-const WORDS: u32 = TILE_PX * TILE_PX / 2u;
+// Pixels of a tile along x and y; each invocation has two of them. A software rasteriser gives up a loop after 65,535
+// rounds in all: so few pixels, and no loop within those over bodies, leave room for all that a scene may have.
+const TILE_PX: vec2u = vec2u(32u, 16u);
+const LANES: u32 = 256u;
 
 // Room for as many bodies as a scene may have, 32 to a word, and for a bit for each of these words.
 const HITS: u32 = 512u;
@@ -47,28 +46,21 @@ fn place_at(px: vec2u, distance: f32) -> vec3f {
     return (view.world_from_view * vec4f(ray_of(vec2f(px) + 0.5) * distance, 1.0)).xyz;
 }
 
-// The first pixel of a word of a tile.
-fn pixel_of(tile: vec2u, word: u32) -> vec2u {
-    return tile * TILE_PX + vec2u(word % (TILE_PX / 2u) * 2u, word / (TILE_PX / 2u));
-}
-
 fn is_drawn(px: vec2u) -> bool {
     return all(px < vec2u(view.size_px));
 }
 
-// The box around all that a tile shows; as `lows[0]` and `highs[0]`.
-fn measure(tile: vec2u, lane: u32) {
+// The box around all that a tile shows; as `lows[0]` and `highs[0]`. An invocation's pixels begin at `first`.
+fn measure(first: vec2u, lane: u32) {
     var low = vec3f(NOWHERE);
     var high = vec3f(-NOWHERE);
-    for (var word = lane; word < WORDS; word += LANES) {
-        for (var side = 0u; side < 2u; side++) {
-            let px = pixel_of(tile, word) + vec2u(side, 0u);
-            let distance = distance_at(px);
-            if distance > 0.0 && is_drawn(px) {
-                let place = place_at(px, distance);
-                low = min(low, place);
-                high = max(high, place);
-            }
+    for (var side = 0u; side < 2u; side++) {
+        let px = first + vec2u(side, 0u);
+        let distance = distance_at(px);
+        if distance > 0.0 && is_drawn(px) {
+            let place = place_at(px, distance);
+            low = min(low, place);
+            high = max(high, place);
         }
     }
     lows[lane] = low;
@@ -153,7 +145,8 @@ fn ask(body: Body, place: vec3f, distance: f32, known: ptr<function, Known>) {
     let away = place - body.start - along * axis;
     let apart = length(away);
     let band = STEEPEST * line_at(coat, distance) + BLENDS * body.blend;
-    if apart >= body.far + band {
+    // What is known to lie deep inside stays there, whatever else it lies in.
+    if apart >= body.far + band || (*known).outside < -band {
         return;
     }
     let outward = away / max(apart, 1e-20);
@@ -255,16 +248,14 @@ fn asked(px: vec2u) -> u32 {
     return known.bits | known.line << LAYER_BITS;
 }
 
-@compute @workgroup_size(64)
+@compute @workgroup_size(256)
 fn main(@builtin(workgroup_id) id: vec3u, @builtin(local_invocation_index) lane: u32) {
-    let tile = id.xy;
-    measure(tile, lane);
+    let words = TILE_PX.x / 2u;
+    let px = id.xy * TILE_PX + vec2u(lane % words * 2u, lane / words);
+    measure(px, lane);
     find(lane);
-    let row = (u32(view.size_px.x) + 1u) / 2u;
-    for (var word = lane; word < WORDS; word += LANES) {
-        let px = pixel_of(tile, word);
-        if is_drawn(px) {
-            mask[px.y * row + px.x / 2u] = asked(px) | asked(px + vec2u(1u, 0u)) << 16u;
-        }
+    if is_drawn(px) {
+        let row = (u32(view.size_px.x) + 1u) / 2u;
+        mask[px.y * row + px.x / 2u] = asked(px) | asked(px + vec2u(1u, 0u)) << 16u;
     }
 }

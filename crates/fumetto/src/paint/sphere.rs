@@ -48,7 +48,7 @@ fn corners() -> Vec<Vec3> {
             let mut corner = [0.0; 3];
             corner[(turn + 1) % 3] = one;
             corner[(turn + 2) % 3] = phi;
-            corners.push(Vec3::from(corner).normalize());
+            corners.push(Vec3::from(corner).normalize_or_zero());
         }
     }
     corners
@@ -149,7 +149,7 @@ fn mesh(pieces: u32) -> (Vec<Vec3>, Vec<[u32; 3]>) {
             key.sort_unstable();
             *known.entry(key).or_insert_with_key(|key| {
                 let sum: Vec3 = key.iter().map(|&(corner, share)| corners[corner] * share as f32).sum();
-                places.push(sum.normalize());
+                places.push(sum.normalize_or_zero());
                 places.len() as u32 - 1
             })
         };
@@ -185,7 +185,7 @@ fn reaches(places: &[Vec3], triangles: &[[u32; 3]], patches: &[BTreeSet<u32>]) -
             let [a, b] = edge.map(|end| places[end as usize]);
             let along = ((*place - a).dot(b - a) / (b - a).length_squared()).clamp(0.0, 1.0);
             // An edge is an arc, whose ends may be nearer than its middle.
-            [a, b, (a + along * (b - a)).normalize()].map(|at| place.distance(at))
+            [a, b, (a + along * (b - a)).normalize_or_zero()].map(|at| place.distance(at))
         });
         // Where everybody knows of everybody there is no ring, and no two places are farther apart.
         distances.fold(2.0, f32::min)
@@ -222,7 +222,7 @@ mod tests {
             for (triangle, patch) in triangles.iter().zip(&sphere.patches) {
                 for [u, v] in [[0.0, 0.0], [0.3, 0.3], [0.5, 0.0], [0.1, 0.8], [0.5, 0.5]] {
                     let [a, b, c] = triangle.map(|corner| places[corner as usize]);
-                    let at = (a * (1.0 - u - v) + b * u + c * v).normalize();
+                    let at = (a * (1.0 - u - v) + b * u + c * v).normalize_or_zero();
                     let in_reach =
                         |direction: &Vec4| at.distance_squared(direction.truncate()) * direction.w < 0.999;
                     let mut near = (0..).zip(&sphere.directions).filter(|(_, direction)| in_reach(direction));
@@ -241,8 +241,9 @@ mod tests {
             let middle = face.iter().map(|&corner| corners[corner]).sum::<Vec3>();
             let shares = icosahedron.shares[number].map(|row| row.truncate().dot(middle));
             assert!(shares.iter().all(|share| (share - 1.0).abs() < 1e-5), "{shares:?}");
-            let sorts =
-                (0..32).filter(|&sort| middle_of_sort(sort).normalize().dot(middle.normalize()) > 0.999);
+            let sorts = (0..32).filter(|&sort| {
+                middle_of_sort(sort).normalize_or_zero().dot(middle.normalize_or_zero()) > 0.999
+            });
             let mut count = 0;
             for sort in sorts {
                 assert_eq!(icosahedron.faces[sort], number as u32);

@@ -20,10 +20,9 @@ const PHI: f32 = 1.618034;
 fn face_of(direction: vec3f) -> u32 {
     let a = abs(direction);
     let near = vec4f(a.x + a.y + a.z, a.x / PHI + a.z * PHI, a.x * PHI + a.y / PHI, a.y * PHI + a.z / PHI);
-    var kind = 0u;
-    for (var other = 1u; other < 4u; other++) {
-        kind = select(kind, other, near[other] > near[kind]);
-    }
+    let first = select(0u, 1u, near.y > near.x);
+    let second = select(2u, 3u, near.w > near.z);
+    let kind = select(first, second, max(near.z, near.w) > max(near.x, near.y));
     let signs = select(vec3u(0u), vec3u(1u, 2u, 4u), direction < vec3f(0.0));
     let sort = kind * 8u + signs.x + signs.y + signs.z;
     return icosahedron.faces[sort / 4u][sort % 4u];
@@ -44,22 +43,33 @@ fn triangle_of(direction: vec3f, pieces: u32) -> u32 {
     return face * pieces * pieces + i * (2u * pieces - i) + 2u * j + select(0u, 1u, on_its_head);
 }
 
-// In metres; `direction` is of unit length.
+// Adds what a vertex of a patch weighs in a direction: the radius times its weight, and the weight.
+fn weigh(body: Body, number: u32, direction: vec3f, sum: vec2f) -> vec2f {
+    let vertex = patches[number];
+    if vertex == NO_VERTEX {
+        return sum;
+    }
+    let known = directions[body.first_direction + vertex];
+    let away = direction - known.xyz;
+    let near = max(1.0 - dot(away, away) * known.w, 0.0);
+    let weight = near * near * near;
+    return sum + vec2f(weight * vertices[body.first_vertex + vertex].x, weight);
+}
+
+// In metres; `direction` is of unit length. Written out, and not a loop: see `mask.wgsl`.
 fn radius_of(body: Body, direction: vec3f) -> f32 {
     let first = body.first_patch + triangle_of(direction, body.pieces) * PATCH;
-    var sum = 0.0;
-    var weights = 0.0;
-    for (var k = 0u; k < PATCH; k++) {
-        let vertex = patches[first + k];
-        if vertex == NO_VERTEX {
-            break;
-        }
-        let known = directions[body.first_direction + vertex];
-        let away = direction - known.xyz;
-        let near = max(1.0 - dot(away, away) * known.w, 0.0);
-        let weight = near * near * near;
-        sum += weight * vertices[body.first_vertex + vertex].x;
-        weights += weight;
-    }
-    return sum / max(weights, 1e-12);
+    var sum = weigh(body, first, direction, vec2f(0.0));
+    sum = weigh(body, first + 1u, direction, sum);
+    sum = weigh(body, first + 2u, direction, sum);
+    sum = weigh(body, first + 3u, direction, sum);
+    sum = weigh(body, first + 4u, direction, sum);
+    sum = weigh(body, first + 5u, direction, sum);
+    sum = weigh(body, first + 6u, direction, sum);
+    sum = weigh(body, first + 7u, direction, sum);
+    sum = weigh(body, first + 8u, direction, sum);
+    sum = weigh(body, first + 9u, direction, sum);
+    sum = weigh(body, first + 10u, direction, sum);
+    sum = weigh(body, first + 11u, direction, sum);
+    return sum.x / max(sum.y, 1e-12);
 }

@@ -1,6 +1,6 @@
 //! What there is to say about paint before any falls.
 
-use fumetto_scene::{Matter, Paint, Scene};
+use fumetto_scene::{Paint, Scene};
 use glam::Vec3;
 
 use super::{PlayedMatter, PlayedObject};
@@ -73,7 +73,7 @@ fn bounds(scene: &Scene, objects: &[PlayedObject], geometry: &Geometry) -> Optio
                 }
             }
             PlayedMatter::Model(played) if !played.model.is_animated() => {}
-            PlayedMatter::Paint => debug_assert!(matches!(object.matter, Matter::Paint(_))),
+            PlayedMatter::Paint => {}
             PlayedMatter::Sequence(..)
             | PlayedMatter::Morph(_)
             | PlayedMatter::Smoke(_)

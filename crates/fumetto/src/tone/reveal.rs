@@ -60,7 +60,7 @@ impl Reveal {
         revealed
     }
     /// Stands in for the ink of a cel that has it in itself.
-    pub(crate) fn nothing_inked(&self, frame: &mut Frame<'_>) -> Transient {
+    pub(crate) fn nothing_inked(frame: &mut Frame<'_>) -> Transient {
         let nothing = frame.texture("tone.reveal.ink", [1, 1], INK_FORMAT);
         frame.clear("tone.reveal.ink", Target::colour(&nothing, Some(wgpu::Color::TRANSPARENT)));
         nothing
