@@ -10,6 +10,7 @@ mod cloud;
 mod cube;
 mod draw;
 mod edges;
+mod grid;
 mod hidden;
 mod imported;
 mod machine;
@@ -36,9 +37,10 @@ use report::{Report, Row, Table};
 use subsystem::Subsystem;
 
 /// Everything that is measured, in the order of the report.
-const SUBSYSTEMS: [&Subsystem; 11] = [
+const SUBSYSTEMS: [&Subsystem; 13] = [
     &step::STEP,
     &vortex::VORTEX,
+    &grid::GRID,
     &surface::SURFACE,
     &volume::VOLUME,
     &imported::IMPORTED,

@@ -3,6 +3,7 @@
 mod imported;
 mod looks;
 mod matter;
+mod obstacles;
 mod paints;
 mod puffs;
 mod surfaces;
@@ -20,7 +21,7 @@ use crate::{
     Assets, Error,
     assets::load_particles,
     details::{Details, Layer},
-    gpu::Gpu,
+    gpu::{Frame, Gpu},
     paint::PaintScene,
     particles::Plume,
     shapes::{
@@ -105,6 +106,7 @@ impl Player {
                 geometry.find_pushes(index);
             }
         }
+        notes.extend(obstacles::check(&scene, &objects)?);
         let puffs = place(gpu, &scene, &mut objects, atlas)?;
         let surfaces = surfaces(gpu, &scene, &details, &objects)?;
         let volumes = volumes(gpu, &scene, &objects)?;
@@ -265,6 +267,11 @@ impl Player {
                 | PlayedMatter::Paint => {}
             }
         }
+    }
+
+    /// Puts obstacles to where they are in a step.
+    pub(crate) fn place_obstacles(&self, frame: &mut Frame<'_>, plume: &Plume, step: u64, dt: f64) {
+        obstacles::place(frame, &self.objects, plume, (step as f64 * dt, dt));
     }
 
     /// The moment of a frame.
