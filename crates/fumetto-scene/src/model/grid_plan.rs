@@ -3,8 +3,8 @@
 use crate::limits::{MAX_COARSEST_CELLS, MAX_GRID_CELLS};
 use crate::{Emitter, EmitterShape, Force, Grid, Smoke};
 
-/// Cells that air may cross in a sub-step. The scheme that carries it stays stable beyond, but its limiter then flattens
-/// what it carries.
+/// Cells that air may cross in a sub-step. The scheme stays stable beyond, but its limiter then flattens what it
+/// carries.
 const COURANT: f32 = 4.0;
 /// Cells are in blocks of this many along every side, and levels of the pressure have half as many as the one before.
 const BLOCK: u32 = 8;

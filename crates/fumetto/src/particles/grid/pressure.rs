@@ -1,5 +1,5 @@
 //! The pressure that takes divergence from the air, by geometric multigrid: a fixed number of V-cycles with one
-//! red-black sweep down and up, beginning with the pressure of the step before (cf. McAdams, Sifakis & Teran 2010).
+//! red-black sweep down and up, beginning with the pressure of the step before (cf. `McAdams`, Sifakis & Teran 2010).
 
 use fumetto_scene::GridPlan;
 use glam::UVec3;

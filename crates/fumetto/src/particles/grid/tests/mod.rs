@@ -30,7 +30,7 @@ impl Field {
 fn velocity_after(engine: &Engine, player: &mut Player, steps: u32) -> [Field; 3] {
     engine.seek(player, steps).expect("there are no files to miss");
     let air = air_of(player);
-    let now = (u64::from(steps) * u64::from(air.plan.sub_steps) & 1) as usize;
+    let now = ((u64::from(steps) * u64::from(air.plan.sub_steps)) & 1) as usize;
     [0, 1, 2].map(|axis: usize| Field {
         extent: UVec3::from(air.plan.cells) + 1,
         values: read_buffer(engine.gpu(), &air.velocity[now][axis]).expect("the device lives"),
@@ -40,7 +40,7 @@ fn velocity_after(engine: &Engine, player: &mut Player, steps: u32) -> [Field; 3
 /// Heat (0) or smoke (1) after as many steps as were made.
 fn heat_now(engine: &Engine, player: &Player, which: usize) -> Field {
     let air = air_of(player);
-    let now = (player.steps * u64::from(air.plan.sub_steps) & 1) as usize;
+    let now = ((player.steps * u64::from(air.plan.sub_steps)) & 1) as usize;
     let both: Vec<[f32; 2]> = read_buffer(engine.gpu(), &air.heat[now]).expect("the device lives");
     Field { extent: air.plan.cells.into(), values: both.into_iter().map(|pair| pair[which]).collect() }
 }
@@ -48,7 +48,7 @@ fn heat_now(engine: &Engine, player: &Player, which: usize) -> Field {
 /// Makes the air move as `velocity` says of places; as if that were how the last step left it.
 fn set_velocity(engine: &Engine, player: &Player, velocity: impl Fn(glam::Vec3) -> glam::Vec3) {
     let air = air_of(player);
-    let now = (player.steps * u64::from(air.plan.sub_steps) & 1) as usize;
+    let now = ((player.steps * u64::from(air.plan.sub_steps)) & 1) as usize;
     let extent = UVec3::from(air.plan.cells) + 1;
     for axis in 0..3 {
         let mut values = Vec::with_capacity(extent.element_product() as usize);
