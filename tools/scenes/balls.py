@@ -10,14 +10,14 @@ from solids import ball
 
 # Seconds of a swing there and back, how far it goes, and for how long it is written down.
 PERIOD, REACH, SECONDS = 4.0, 2.6, 8.0
-HIGH, ROPE = 2.9, 6.0
+HIGH, ROPE = 2.7, 6.0
 
 
 def main():
     glb = Glb()
     red, blue = glb.material("still", "#c2593f"), glb.material("swinging", "#3f6f8f")
-    glb.node("still", [(red, ball((0.0, 1.35, 0.0), (0.5, 0.5, 0.5), 32))], crease_degrees=180.0)
-    swinging = glb.node("swinging", [(blue, ball((0.0, 0.0, 0.0), (0.36, 0.36, 0.36), 28))], crease_degrees=180.0)
+    glb.node("still", [(red, ball((0.0, 1.3, 0.0), (0.34, 0.34, 0.34), 32))], crease_degrees=180.0)
+    swinging = glb.node("swinging", [(blue, ball((0.0, 0.0, 0.0), (0.3, 0.3, 0.3), 28))], crease_degrees=180.0)
     times = np.linspace(0.0, SECONDS, 97)
     along = -REACH * np.cos(2.0 * np.pi * times / PERIOD)
     # On a circle round where its rope would hang.
