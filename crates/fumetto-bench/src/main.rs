@@ -11,6 +11,7 @@ mod cube;
 mod draw;
 mod edges;
 mod flicker;
+mod grid;
 mod hidden;
 mod imported;
 mod machine;
@@ -38,9 +39,10 @@ use report::{Report, Row, Table};
 use subsystem::Subsystem;
 
 /// Everything that is measured, in the order of the report.
-const SUBSYSTEMS: [&Subsystem; 13] = [
+const SUBSYSTEMS: [&Subsystem; 14] = [
     &step::STEP,
     &vortex::VORTEX,
+    &grid::GRID,
     &surface::SURFACE,
     &volume::VOLUME,
     &imported::IMPORTED,

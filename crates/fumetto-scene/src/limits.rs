@@ -16,6 +16,13 @@ pub const MAX_VORTICES: u64 = 65_536;
 /// Vortex particles that there is room for at least. Also in the engine's `tree.wgsl`.
 pub const MIN_VORTEX_ROOM: u64 = 2048;
 
+/// Most cells of a grid: two numbers for each fill WebGPU's default for one storage binding, 128 MiB.
+pub const MAX_GRID_CELLS: u64 = 1 << 24;
+
+/// Most cells along a side of the coarsest level of a grid's pressure: 16³ fill a workgroup's memory. Also in the
+/// engine's `coarsest.wgsl`.
+pub const MAX_COARSEST_CELLS: u32 = 16;
+
 /// Most objects in a scene: each has four pens, and the ink layer tells 255 of them apart.
 pub const MAX_OBJECTS: usize = 63;
 
@@ -146,6 +153,14 @@ pub const AMPLITUDE: Limit = Limit::closed(0.0, 100.0);
 pub const CORE: Limit = Limit::closed(0.05, 1.0);
 /// Vortex particles in a ring.
 pub const SEGMENTS: Limit = Limit::closed(8.0, 128.0);
+/// Cells of a grid along its longest side.
+pub const GRID_CELLS: Limit = Limit::closed(8.0, 512.0);
+/// Share of a grid's divergence that may be left.
+pub const RESIDUAL: Limit = Limit::above(0.0, 0.5);
+/// Vortex particles that one emitter brings into a grid.
+pub const EDDIES: Limit = Limit::closed(1.0, 4096.0);
+/// Volumes of air that appear in a second.
+pub const EXPANSION: Limit = Limit::closed(-1e4, 1e4);
 /// Octaves of turbulence and of a surface's noise.
 pub const OCTAVES: Limit = Limit::closed(1.0, 6.0);
 

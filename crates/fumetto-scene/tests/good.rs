@@ -422,7 +422,7 @@ fn a_mesh_stands_where_its_transforms_say() {
         light = [{ kind = "sun", direction = [0, -1, 0] }]
         object = [
             { name = "house", kind = "mesh", model = "house.glb", style = { material = 0.5 } },
-            { name = "trees", kind = "mesh", model = "tree.obj", up = "z", smooth = 30, transform = [
+            { name = "trees", kind = "mesh", model = "tree.obj", up = "z", smooth = 30, obstacle = true, transform = [
                 { position = [1, 2, 3], rotation = [0, 90, 0], scale = 2 },
                 { scale = [1, -2, 1] },
             ] },
@@ -433,8 +433,13 @@ fn a_mesh_stands_where_its_transforms_say() {
         Matter::Mesh(mesh) => mesh.clone(),
         other => panic!("{other:?} is no mesh"),
     };
-    let house =
-        Mesh { model: "house.glb".into(), z_up: false, smooth_deg: None, copies: vec![Transform::default()] };
+    let house = Mesh {
+        model: "house.glb".into(),
+        z_up: false,
+        smooth_deg: None,
+        copies: vec![Transform::default()],
+        obstacle: false,
+    };
     assert_eq!(mesh(0), house);
     assert_eq!(scene.objects[0].style.material, 0.5);
     let trees = Mesh {
@@ -445,6 +450,7 @@ fn a_mesh_stands_where_its_transforms_say() {
             Transform { position: [1.0, 2.0, 3.0], rotation_deg: [0.0, 90.0, 0.0], scale: [2.0; 3] },
             Transform { scale: [1.0, -2.0, 1.0], ..Transform::default() },
         ],
+        obstacle: true,
     };
     assert_eq!(mesh(1), trees);
 }

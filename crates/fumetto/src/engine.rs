@@ -2,7 +2,7 @@ use fumetto_formats::Image;
 use fumetto_scene::{Camera, Scene};
 
 use crate::{
-    Assets, Error, Layer, Player,
+    AirTimes, Assets, Error, Layer, Player,
     frame::Painter,
     gpu::{Frame, Gpu, Region, TexturePool, read_texture},
     paint::Spreading,
@@ -133,6 +133,7 @@ impl Engine {
             let mut frame = Frame::new(&self.gpu, &self.pool, "particles.steps");
             for step in player.steps..end {
                 for plume in player.plumes() {
+                    player.place_obstacles(&mut frame, plume, step, dt);
                     self.particles.step(&mut frame, plume, step, dt);
                 }
                 self.spreading.step(&mut frame, &player.paints, step, dt);
@@ -140,6 +141,28 @@ impl Engine {
             frame.submit();
             player.steps = end;
         }
+    }
+
+    /// Runs one step of all smoke whose air is simulated, and takes the time of each of its stages. Waits for the
+    /// device; for measurement only.
+    ///
+    /// # Errors
+    /// When the device is lost.
+    pub fn time_air(&self, player: &mut Player) -> Result<AirTimes, Error> {
+        let dt = player.scene().time.step_secs();
+        let mut times = AirTimes::default();
+        for plume in player.plumes() {
+            let mut frame = Frame::new(&self.gpu, &self.pool, "particles.obstacles");
+            player.place_obstacles(&mut frame, plume, player.steps, dt);
+            frame.submit();
+            let one = self.particles.timed_step((&self.gpu, &self.pool), plume, player.steps, dt)?;
+            times.advect += one.advect;
+            times.push += one.push;
+            times.pressure += one.pressure;
+            times.particles += one.particles;
+        }
+        player.steps += 1;
+        Ok(times)
     }
 
     /// Turns the particles into puffs, puffs into volumes and into those surfaces that look alike from everywhere,

@@ -4,6 +4,7 @@ use fumetto_formats::FormatError;
 use thiserror::Error;
 
 use crate::{
+    TooManyFacets,
     gpu::GpuError,
     shapes::{
         mesh::MeshError,
@@ -56,6 +57,14 @@ pub enum Error {
         object: String,
         /// How large it is.
         source: VolumeTooLarge,
+    },
+    /// Obstacles cannot be made into the cells of a grid.
+    #[error("the obstacles in the air of `{object}`: {source}")]
+    Obstacles {
+        /// The smoke's name.
+        object: String,
+        /// Why.
+        source: TooManyFacets,
     },
     /// The picture is too large to draw at once.
     #[error(

@@ -21,6 +21,7 @@ pub(super) fn mesh(at: &At<'_>, file: &ObjectFile) -> Mesh {
         z_up: file.up == Some(UpFile::Z),
         smooth_deg: file.smooth,
         copies,
+        obstacle: file.obstacle.unwrap_or(false),
     }
 }
 

@@ -5,6 +5,7 @@
 //! looked at; whoever calls throws the result away if an error was reported.
 
 mod at;
+mod grid;
 mod hatching;
 mod imported;
 mod ink;

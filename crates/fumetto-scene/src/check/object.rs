@@ -1,5 +1,6 @@
 use super::{
     At, Styles,
+    grid::fitting_grid,
     imported::{check_shape, imported},
     mesh::mesh,
     morph::{given, metamorphosis},
@@ -58,11 +59,12 @@ pub(super) fn object(
         source.error("too-many-particles", message, help);
     }
     few_vortices(at, &object, step_secs);
+    fitting_grid(at, &object, step_secs);
     object
 }
 
 /// Keys that only some kinds have, with those kinds.
-const KEYS: [(&str, &[ObjectKind]); 23] = [
+const KEYS: [(&str, &[ObjectKind]); 25] = [
     ("opacity", &[ObjectKind::Smoke, ObjectKind::Cloud, ObjectKind::Mesh, ObjectKind::Volume]),
     ("particles", &[ObjectKind::Cloud]),
     ("morph", &[ObjectKind::Cloud]),
@@ -70,12 +72,14 @@ const KEYS: [(&str, &[ObjectKind]); 23] = [
     ("force", &[ObjectKind::Smoke]),
     ("solver", &[ObjectKind::Smoke]),
     ("vortex", &[ObjectKind::Smoke]),
+    ("grid", &[ObjectKind::Smoke]),
     ("shape", &[ObjectKind::Cloud, ObjectKind::Smoke, ObjectKind::Volume]),
     ("model", &[ObjectKind::Mesh]),
     ("volume", &[ObjectKind::Volume]),
     ("up", &[ObjectKind::Mesh, ObjectKind::Volume]),
     ("smooth", &[ObjectKind::Mesh]),
     ("transform", &[ObjectKind::Mesh, ObjectKind::Volume]),
+    ("obstacle", &[ObjectKind::Mesh]),
     ("drop", &[ObjectKind::Paint]),
     ("stroke", &[ObjectKind::Paint]),
     ("pour", &[ObjectKind::Paint]),

@@ -1,7 +1,8 @@
 use super::At;
+use super::grid::{grid, source};
 use super::values::{curve, direction, range};
 use super::vortex::{rings, vortex};
-use crate::file::{EmitterFile, EmitterShapeFile, ForceFile, ObjectFile};
+use crate::file::{EmitterFile, EmitterShapeFile, ForceFile, ObjectFile, SolverFile};
 use crate::limits::{FACTOR, LENGTH, LIFE_SECS, MASS, SECONDS, SHARE};
 use crate::{Burst, Emitter, EmitterShape, Force, Smoke};
 
@@ -13,13 +14,16 @@ pub(super) fn smoke(at: &At<'_>, file: &ObjectFile) -> Smoke {
         let help = "add an [[object.emitter]] with a `shape` and a `rate`";
         at.key("emitter").error("no-emitter", message, help);
     }
-    still_air(at, forces);
+    if file.solver != Some(SolverFile::Grid) {
+        still_air(at, forces);
+    }
     let vortex = vortex(at, file);
     let at_item = |key, i| at.key(key).item(i);
     Smoke {
         emitters: emitters.iter().enumerate().map(|(i, one)| emitter(&at_item("emitter", i), one)).collect(),
         forces: forces.iter().enumerate().map(|(i, one)| force(&at_item("force", i), one)).collect(),
         vortex,
+        grid: grid(at, file),
     }
 }
 
@@ -44,6 +48,7 @@ fn emitter(at: &At<'_>, file: &EmitterFile) -> Emitter {
         erosion_over_life: share("erosion_over_life", &file.erosion_over_life),
         opacity_over_life: share("opacity_over_life", &file.opacity_over_life),
         rings: rings(&at.key("rings"), file.rings.as_ref()),
+        source: source(file.source.as_ref()),
     }
 }
 

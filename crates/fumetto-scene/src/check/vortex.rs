@@ -3,13 +3,14 @@ use crate::file::{ObjectFile, RingsFile, SolverFile};
 use crate::limits::MAX_VORTICES;
 use crate::{Object, Rings, Vortex, vortex_bytes};
 
-/// What makes smoke curl, unless the file wants forces alone.
+/// What makes smoke curl, unless the file wants another solver.
 pub(super) fn vortex(at: &At<'_>, file: &ObjectFile) -> Option<Vortex> {
     let emitters = file.emitter.as_ref().map_or(&[][..], |emitters| emitters.as_slice());
-    if file.solver == Some(SolverFile::Forces) {
+    if let Some(solver @ (SolverFile::Forces | SolverFile::Grid)) = file.solver {
+        let name = if solver == SolverFile::Grid { "grid" } else { "forces" };
         let rings = (0..emitters.len()).map(|index| at.key("emitter").item(index).key("rings"));
         for unused in std::iter::once(at.key("vortex")).chain(rings).filter(At::exists) {
-            let message = format!("`{}` does nothing beside solver = \"forces\"", unused.name());
+            let message = format!("`{}` does nothing beside solver = {name:?}", unused.name());
             unused.warning("unused-key", message, "leave it out, or write solver = \"vortex\"");
         }
         return None;

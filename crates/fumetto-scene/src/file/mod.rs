@@ -3,6 +3,7 @@
 //! The doc comments here are the descriptions in the JSON Schema, so they speak to people who write
 //! scenes: units, ranges and defaults.
 
+mod grid;
 mod hatching;
 mod imported;
 mod ink;
@@ -20,6 +21,7 @@ mod values;
 mod volume;
 mod vortex;
 
+pub use grid::{EddiesFile, GridBoxFile, GridFile, SourceFile, WallFile, WallsFile};
 pub use hatching::{AlongFile, FollowFile, HatchingFile};
 pub use imported::{ByteOrderFile, ImportedFile, RawFile, RawNumberFile, ReadFile};
 pub use ink::{CreaseFile, HiddenLinesFile, InkFile, InkMethodFile, PenFile, WidthFile};

@@ -2,9 +2,9 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{
-    BorderFile, BoxFile, BrushFile, CellsFile, DropFile, EmitterFile, ForceFile, ImportedFile, LookFile,
-    MorphFile, OneOrMany, PourFile, SolverFile, SpreadFile, StyleFile, SurfaceFile, TransformFile, UpFile,
-    VolumeFile, VortexFile, WashFile,
+    BorderFile, BoxFile, BrushFile, CellsFile, DropFile, EmitterFile, ForceFile, GridFile, ImportedFile,
+    LookFile, MorphFile, OneOrMany, PourFile, SolverFile, SpreadFile, StyleFile, SurfaceFile, TransformFile,
+    UpFile, VolumeFile, VortexFile, WashFile,
 };
 use crate::limits;
 
@@ -32,11 +32,13 @@ pub struct ObjectFile {
     pub emitter: Option<OneOrMany<EmitterFile>>,
     /// What moves the particles of a `kind = "smoke"`.
     pub force: Option<Vec<ForceFile>>,
-    /// What else moves the particles of a `kind = "smoke"`: "vortex" (the default) makes them curl, "forces"
-    /// leaves it at the forces.
+    /// What else moves the particles of a `kind = "smoke"`: "vortex" (the default) makes them curl, "grid" simulates
+    /// the air around them, "forces" leaves it at the forces.
     pub solver: Option<SolverFile>,
     /// How the vortices of `solver = "vortex"` are shed, and what becomes of them.
     pub vortex: Option<VortexFile>,
+    /// The box of air of `solver = "grid"`.
+    pub grid: Option<GridFile>,
     /// The model of a `kind = "mesh"`: a .glb, .gltf or .obj file relative to the scene file.
     pub model: Option<String>,
     /// The volume of a `kind = "volume"`: a .vdb, .nrrd or .npy file relative to the scene file, or a table that
@@ -51,6 +53,8 @@ pub struct ObjectFile {
     /// Where the model of a `kind = "mesh"` stands: one table, or several `[[object.transform]]` for
     /// several copies. The volume of a `kind = "volume"` has one.
     pub transform: Option<OneOrMany<TransformFile>>,
+    /// Whether the smoke of `solver = "grid"` goes round a `kind = "mesh"`. Default false.
+    pub obstacle: Option<bool>,
     /// Drops of a `kind = "paint"`: one table, or several `[[object.drop]]`.
     pub drop: Option<OneOrMany<DropFile>>,
     /// Strokes of a brush of a `kind = "paint"`: one table, or several `[[object.stroke]]`.

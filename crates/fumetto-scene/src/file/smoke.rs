@@ -1,7 +1,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{CurveFile, RangeFile, RingsFile};
+use super::{CurveFile, RangeFile, RingsFile, SourceFile};
 use crate::limits;
 
 /// Where particles come from, and with what they are born.
@@ -55,6 +55,8 @@ pub struct EmitterFile {
     pub opacity_over_life: CurveFile,
     /// Vortex rings on demand, in place of those that the emitter sheds of itself.
     pub rings: Option<RingsFile>,
+    /// What it brings into the air of `solver = "grid"`, besides its particles.
+    pub source: Option<SourceFile>,
 }
 
 fn life() -> RangeFile {

@@ -11,6 +11,8 @@ pub enum SolverFile {
     Vortex,
     /// Nothing: every particle goes its own way.
     Forces,
+    /// Air in a box of cells, which smoke heats and pushes and which carries it.
+    Grid,
 }
 
 /// How the vortices of `solver = "vortex"` are shed, and what becomes of them.

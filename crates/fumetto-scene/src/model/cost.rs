@@ -1,10 +1,10 @@
 //! What a scene will cost, told before anything is allocated.
 
 use crate::limits::PARTICLE_BYTES;
-use crate::{Burst, Emitter, Matter, Object, Scene, Surface, SurfaceRoom, Time, VolumeRoom};
+use crate::{Burst, Emitter, GridPlan, Matter, Object, Scene, Surface, SurfaceRoom, Time, VolumeRoom};
 
 /// What one object will need.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct ObjectCost {
     /// The object's name.
     pub name: String,
@@ -14,6 +14,8 @@ pub struct ObjectCost {
     pub state_bytes: Option<u64>,
     /// Most vortex particles alive at once.
     pub vortices: u64,
+    /// The grid that its air is in, by `solver = "grid"`.
+    pub grid: Option<GridPlan>,
     /// Room for its surface; `None` where it has none, and where only a particle file tells.
     pub surface: Option<SurfaceRoom>,
     /// Likewise for its layers of detail.
@@ -34,12 +36,14 @@ impl Scene {
             let surface = object.shape.surface().and_then(room);
             let details = object.details.iter().filter_map(|detail| room(&detail.surface)).collect();
             let vortices = object.vortices(step_secs);
+            let grid = object.grid_plan(step_secs);
             let volume = object.volume_room();
             ObjectCost {
                 name: object.name.clone(),
                 particles,
                 state_bytes,
                 vortices,
+                grid,
                 surface,
                 details,
                 volume,
@@ -98,6 +102,13 @@ impl Object {
             | Matter::Imported(_)
             | Matter::Paint(_) => 0,
         }
+    }
+
+    /// The grid that its air is in, stepped by `step_secs`.
+    #[must_use]
+    pub fn grid_plan(&self, step_secs: f64) -> Option<GridPlan> {
+        let Matter::Smoke(smoke) = &self.matter else { return None };
+        smoke.grid_plan(step_secs)
     }
 
     fn surface_room(&self, surface: &Surface, step_secs: f64) -> Option<SurfaceRoom> {

@@ -9,6 +9,8 @@ pub struct Mesh {
     pub smooth_deg: Option<f32>,
     /// At least one.
     pub copies: Vec<Transform>,
+    /// Whether smoke in a grid goes round it.
+    pub obstacle: bool,
 }
 
 /// Scaled first, then turned, then moved.

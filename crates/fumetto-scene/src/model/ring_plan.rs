@@ -44,7 +44,7 @@ pub struct RingPlan {
 
 impl Smoke {
     /// The rings of each emitter that has any, simulated in steps of `step_secs`: none by
-    /// `solver = "forces"`.
+    /// other solvers than "vortex".
     #[must_use]
     pub fn ring_plans(&self, step_secs: f64) -> Vec<Option<RingPlan>> {
         let plan = |emitter: &Emitter| {
@@ -101,7 +101,7 @@ impl Smoke {
     }
 
     /// What lifts a particle when it is born, in m/s².
-    fn lift(&self) -> f32 {
+    pub(crate) fn lift(&self) -> f32 {
         let lift = |force: &Force| match *force {
             Force::Buoyancy { acceleration, .. } => acceleration,
             _ => 0.0,

@@ -1,4 +1,4 @@
-use crate::{Curve, Rings, Vortex};
+use crate::{Curve, Grid, Rings, Source, Vortex};
 
 /// Matter that is emitted and moved.
 #[derive(Clone, Debug, PartialEq)]
@@ -7,8 +7,10 @@ pub struct Smoke {
     pub emitters: Vec<Emitter>,
     /// What moves the particles.
     pub forces: Vec<Force>,
-    /// What makes them curl; `None` by `solver = "forces"`.
+    /// What makes them curl; `None` by other solvers than "vortex".
     pub vortex: Option<Vortex>,
+    /// The box of air that carries them; `None` by other solvers than "grid".
+    pub grid: Option<Grid>,
 }
 
 /// Where particles come from, and with what they are born.
@@ -47,6 +49,8 @@ pub struct Emitter {
     pub opacity_over_life: Curve,
     /// Vortex rings in place of those that it sheds of itself.
     pub rings: Option<Rings>,
+    /// What it brings into the air of a grid.
+    pub source: Source,
 }
 
 /// Particles that are born at one moment.
@@ -98,6 +102,20 @@ pub enum EmitterShape {
         /// The other end.
         to: [f32; 3],
     },
+}
+
+impl EmitterShape {
+    /// Its middle.
+    #[must_use]
+    pub fn middle(&self) -> [f32; 3] {
+        match *self {
+            Self::Point { center }
+            | Self::Disc { center, .. }
+            | Self::Sphere { center, .. }
+            | Self::Box { center, .. } => center,
+            Self::Line { from, to } => [0, 1, 2].map(|axis: usize| 0.5 * (from[axis] + to[axis])),
+        }
+    }
 }
 
 /// What moves particles.

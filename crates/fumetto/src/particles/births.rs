@@ -56,7 +56,7 @@ fn bursts_before(timetable: Timetable<'_>, time: f64) -> u64 {
 
 #[cfg(test)]
 mod tests {
-    use fumetto_scene::{Burst, Curve, EmitterShape};
+    use fumetto_scene::{Burst, Curve, EmitterShape, Source};
 
     use super::*;
 
@@ -78,6 +78,7 @@ mod tests {
             erosion_over_life: Curve::constant(0.0),
             opacity_over_life: Curve::constant(1.0),
             rings: None,
+            source: Source { heat: 1.0, smoke: 1.0, expansion: 0.0, secs: 0.1 },
         }
     }
 

@@ -17,6 +17,16 @@ const PARTICLE_BYTES: u64 = 64;
 #[derive(Debug)]
 pub(super) struct Motion {
     step: wgpu::ComputePipeline,
+    step_in_grid: wgpu::ComputePipeline,
+}
+
+/// What carries particles.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Carrier<'a> {
+    /// Their own motion, and vortices.
+    Tree(&'a Tree),
+    /// Air, in a box that the uniform tells of: its velocity, and what is solid.
+    Air(&'a wgpu::Buffer, [&'a wgpu::Buffer; 4]),
 }
 
 /// One emitter and its particles.
@@ -61,25 +71,40 @@ impl Motion {
     pub(super) fn new(gpu: &Gpu) -> Self {
         let slots = [Slot::Uniform, Slot::Read, Slot::Write, Slot::Read, Slot::Read];
         let [step] = kernels(gpu, shader!("particles/step"), &slots, ["main"]);
-        Self { step }
+        let (uniform, read) = (Slot::Uniform, Slot::Read);
+        let slots = [uniform, read, Slot::Write, uniform, read, read, read, read];
+        let [step_in_grid] = kernels(gpu, shader!("particles/step_in_grid"), &slots, ["main"]);
+        Self { step, step_in_grid }
     }
 
-    /// Advances by a step, carried by the vortices in `tree`.
+    /// Advances by a step.
     pub(super) fn step(
         &self,
         frame: &mut Frame<'_>,
         emission: &Emission,
         forces: &[Force],
-        tree: &Tree,
+        carrier: Carrier<'_>,
         span: Span,
     ) {
-        let uniform = StepUniform { places: tree.places, ..emission.step_uniform(forces, span) };
+        let places = if let Carrier::Tree(tree) = carrier { tree.places } else { 0 };
+        let uniform = StepUniform { places, ..emission.step_uniform(forces, span) };
         let uniform = frame.uniform("particles.step.uniform", &uniform);
         let forces = forces_at(forces, emission.seed, span.time as f32);
         let forces = frame.storage("particles.step.forces", &forces);
-        let bindings = [&uniform, &forces, &emission.particles, &tree.leaves, &tree.nodes];
-        let bindings = bindings.map(wgpu::Buffer::as_entire_binding);
-        frame.compute("particles.step", &self.step, &bindings, workgroups(emission.capacity));
+        let mut bindings = vec![&uniform, &forces, &emission.particles];
+        let kernel = match carrier {
+            Carrier::Tree(tree) => {
+                bindings.extend([&tree.leaves, &tree.nodes]);
+                &self.step
+            }
+            Carrier::Air(grid, velocity) => {
+                bindings.push(grid);
+                bindings.extend(velocity);
+                &self.step_in_grid
+            }
+        };
+        let bindings: Vec<_> = bindings.into_iter().map(wgpu::Buffer::as_entire_binding).collect();
+        frame.compute("particles.step", kernel, &bindings, workgroups(emission.capacity));
     }
 }
 

@@ -30,8 +30,7 @@ fn force_at(force: &Force, index: u32, seed: u32, time: f32) -> ForceUniform {
         Force::Buoyancy { acceleration, cooling } => of(1, [acceleration, cooling, 0.0, 0.0], [0.0; 4]),
         Force::Drag { rate } => of(2, [rate, 0.0, 0.0, 0.0], [0.0; 4]),
         Force::Wind { velocity, gust, gust_secs } => {
-            let now = Vec3::from(velocity) * (1.0 + gust * gust_at(time / gust_secs));
-            of(3, now.extend(0.0).to_array(), [0.0; 4])
+            of(3, blowing(velocity, gust, time / gust_secs).extend(0.0).to_array(), [0.0; 4])
         }
         Force::Turbulence { speed, scale, octaves, drift } => ForceUniform {
             octaves,
@@ -49,6 +48,19 @@ fn force_at(force: &Force, index: u32, seed: u32, time: f32) -> ForceUniform {
             of(6, [x, y, z, radius], [acceleration, 0.0, 0.0, 0.0])
         }
     }
+}
+
+/// The velocity of all winds together at `time` seconds.
+pub(super) fn wind_at(forces: &[Force], time: f32) -> Vec3 {
+    let wind = |force: &Force| match *force {
+        Force::Wind { velocity, gust, gust_secs } => blowing(velocity, gust, time / gust_secs),
+        _ => Vec3::ZERO,
+    };
+    forces.iter().map(wind).sum()
+}
+
+fn blowing(velocity: [f32; 3], gust: f32, time: f32) -> Vec3 {
+    Vec3::from(velocity) * (1.0 + gust * gust_at(time))
 }
 
 /// Swelling and slackening, from -1 to 1, about once in a unit of time: two waves whose periods share no

@@ -3,10 +3,13 @@
 mod births;
 mod emission;
 mod forces;
+mod grid;
 mod plume;
 mod vortex;
 
 pub(crate) use emission::Emission;
+pub use grid::{AirTimes, TooManyFacets};
+pub(crate) use grid::{Facet, Voxels};
 pub(crate) use plume::{Particles, Plume};
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-// One fixed step of one emitter's particles: births, then motion.
+// One fixed step of one emitter's particles: births, then motion. What `moved` is, the program's other modules say.
 
 struct Step {
     // The step begins here, in seconds.
@@ -38,8 +38,6 @@ struct Step {
 @group(0) @binding(0) var<uniform> step: Step;
 @group(0) @binding(1) var<storage, read> forces: array<Force>;
 @group(0) @binding(2) var<storage, read_write> particles: array<Particle>;
-@group(0) @binding(3) var<storage, read> leaves: array<Leaf>;
-@group(0) @binding(4) var<storage, read> nodes: array<Node>;
 
 fn birth_place(key: u32) -> vec3f {
     let u = vec3f(random(key, 0u), random(key, 1u), random(key, 2u));
@@ -85,18 +83,6 @@ fn born(birth: u32) -> Particle {
         mix(step.mass.x, step.mass.y, random(key, 8u)),
         birth,
     );
-}
-
-// Moves a particle for `dt` seconds: its own motion, and where vortices carry it meanwhile, as fast as they
-// do half-way.
-fn moved(start: Particle, dt: f32) -> Particle {
-    var particle = start;
-    let own = drift(start.velocity, air_at(start.position, start.age, step.forces), dt);
-    particle.carried = induced(start.position + 0.5 * (own.shift + dt * start.carried), step.places);
-    particle.position += own.shift + dt * particle.carried;
-    particle.velocity = own.velocity;
-    particle.age += dt;
-    return particle;
 }
 
 @compute @workgroup_size(256)

@@ -74,7 +74,11 @@ impl Look {
 fn husk(object: &Object, style: &Style) -> Object {
     let matter = match &object.matter {
         Matter::Still(_) | Matter::Morph(_) => Matter::Still(Vec::new()),
-        matter @ (Matter::File(_) | Matter::Smoke(_) | Matter::Mesh(_) | Matter::Paint(_)) => matter.clone(),
+        matter @ (Matter::File(_)
+        | Matter::Smoke(_)
+        | Matter::Mesh(_)
+        | Matter::Imported(_)
+        | Matter::Paint(_)) => matter.clone(),
     };
     Object {
         name: object.name.clone(),
@@ -101,7 +105,7 @@ pub(super) fn has_strokes(scene: &Scene) -> bool {
 }
 
 /// How lines of all objects are drawn, in all looks.
-fn inks(scene: &Scene) -> impl Iterator<Item = &Ink> {
+pub(super) fn inks(scene: &Scene) -> impl Iterator<Item = &Ink> {
     let looks = (0..scene.objects.len()).flat_map(|object| scene.styles_of(object));
     scene.objects.iter().flat_map(Object::inks).chain(looks.map(|style| &style.ink))
 }

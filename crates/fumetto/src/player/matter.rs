@@ -5,6 +5,7 @@ use std::ops::Range;
 use fumetto_formats::{Model, ModelOptions, is_sequence, sequence_path};
 use fumetto_scene::{Given, Matter, Mesh, Object, Particle, Scene};
 
+use super::obstacles::has_obstacles;
 use crate::{
     Assets, Error,
     assets::{load_model, load_particles},
@@ -118,7 +119,9 @@ pub(super) fn play_matter(
         }
         Matter::Smoke(smoke) => {
             let seed = seed_of(scene, index);
-            PlayedMatter::Smoke(Box::new(Plume::new(gpu, smoke, seed, scene.time.step_secs())))
+            notes.extend(note_on_sub_steps(object, scene.time.step_secs()));
+            let (step_secs, obstacles) = (scene.time.step_secs(), has_obstacles(scene));
+            PlayedMatter::Smoke(Box::new(Plume::new(gpu, smoke, seed, step_secs, obstacles)))
         }
         Matter::Imported(imported) => {
             let detail =
@@ -129,6 +132,16 @@ pub(super) fn play_matter(
         Matter::Paint(_) => PlayedMatter::Paint,
         Matter::Mesh(_) => unreachable!("models are played with the scene's geometry"),
     })
+}
+
+/// Says so where air is too quick for its cells to be moved at once.
+fn note_on_sub_steps(object: &Object, step_secs: f64) -> Option<String> {
+    let plan = object.grid_plan(step_secs).filter(|plan| plan.sub_steps > 1)?;
+    let (steps, side) = (plan.sub_steps, plan.side);
+    Some(format!(
+        "the air of `{}` moves in {steps} sub-steps a step: its cells are {side:.3} m wide",
+        object.name
+    ))
 }
 
 /// Says so where a cloud is too thin for its surface.

@@ -3,6 +3,7 @@
 mod imported;
 mod looks;
 mod matter;
+mod obstacles;
 mod paints;
 mod puffs;
 mod surfaces;
@@ -16,13 +17,13 @@ pub(crate) use matter::{PlayedMatter, PlayedModel, PlayedObject};
 use std::ops::Range;
 
 use fumetto_formats::sequence_path;
-use fumetto_scene::{Matter, Object, Particle, Scene, Shape};
+use fumetto_scene::{Ink, Matter, Object, Particle, Scene, Shape};
 
 use crate::{
     Assets, Error,
     assets::load_particles,
     details::{Details, Layer},
-    gpu::Gpu,
+    gpu::{Frame, Gpu},
     ink::StrokeTextures,
     paint::PaintScene,
     particles::Plume,
@@ -34,7 +35,7 @@ use crate::{
     },
     tone::Backdrop,
 };
-use looks::{crease_degs, exaggerated_scales, has_strokes, load_backdrop, load_strokes, wants_shell};
+use looks::{crease_degs, exaggerated_scales, has_strokes, inks, load_backdrop, load_strokes, wants_shell};
 use matter::{note_on_nothing, play_matter, play_mesh, seed_of};
 use paints::notes_on_paint;
 use puffs::{atlas, check_room, place, variants_of};
@@ -110,6 +111,7 @@ impl Player {
                 geometry.find_pushes(index);
             }
         }
+        notes.extend(obstacles::check(&scene, &objects)?);
         let puffs = place(gpu, &scene, &mut objects, atlas)?;
         let surfaces = surfaces(gpu, &scene, &details, &objects)?;
         let volumes = volumes(gpu, &scene, &objects)?;
@@ -158,6 +160,11 @@ impl Player {
         &*self.assets
     }
 
+    /// The scene's objects, then the layers of detail in them, in the scene's own look.
+    pub(crate) fn drawn(&self) -> Vec<&Object> {
+        self.looks[0].drawn().iter().collect()
+    }
+
     /// Things to tell the user about the files that were read.
     #[must_use]
     pub fn notes(&self) -> &[String] {
@@ -203,7 +210,7 @@ impl Player {
             Shape::Surface(surface) => surface.drifts(),
             Shape::Volume(volume) => volume.drifts(),
         };
-        let boils = |object: &Object| object.inks().flat_map(Ink::strokes).any(|stroke| stroke.boil > 0);
+        let boils = inks(&self.scene).flat_map(Ink::strokes).any(|stroke| stroke.boil > 0);
         let stands = |object: &PlayedObject| match &object.matter {
             PlayedMatter::Still(_) => !drifts(&self.scene.objects[object.placement.object as usize]),
             PlayedMatter::Sequence(..)
@@ -213,11 +220,7 @@ impl Player {
             PlayedMatter::Model(played) => !played.model.is_animated(),
             PlayedMatter::Imported(volume) => !volume.is_sequence(),
         };
-        if self.objects.iter().all(stands) && !self.scene.objects.iter().any(boils) {
-            0
-        } else {
-            self.held(frame)
-        }
+        if self.objects.iter().all(stands) && !boils { 0 } else { self.held(frame) }
     }
 
     /// The frame whose state is drawn when `frame` is asked for: every second one on twos.
@@ -240,7 +243,8 @@ impl Player {
                         self.volumes.renew(number, volume.field.clone());
                     }
                 }
-                PlayedMatter::Still(_)
+                PlayedMatter::Paint
+                | PlayedMatter::Still(_)
                 | PlayedMatter::Morph(_)
                 | PlayedMatter::Smoke(_)
                 | PlayedMatter::Model(_) => {}
@@ -291,6 +295,11 @@ impl Player {
                 | PlayedMatter::Paint => {}
             }
         }
+    }
+
+    /// Puts obstacles to where they are in a step.
+    pub(crate) fn place_obstacles(&self, frame: &mut Frame<'_>, plume: &Plume, step: u64, dt: f64) {
+        obstacles::place(frame, &self.objects, plume, (step as f64 * dt, dt));
     }
 
     /// The moment of a frame.

@@ -77,6 +77,7 @@ fn bounds(scene: &Scene, objects: &[PlayedObject], geometry: &Geometry) -> Optio
             PlayedMatter::Sequence(..)
             | PlayedMatter::Morph(_)
             | PlayedMatter::Smoke(_)
+            | PlayedMatter::Imported(_)
             | PlayedMatter::Model(_) => return None,
         }
     }

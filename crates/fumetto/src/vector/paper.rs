@@ -12,7 +12,8 @@ const STOPS: u8 = 33;
 pub(super) fn paper(scene: &Scene, assets: &dyn Assets) -> Result<Paper, Error> {
     Ok(match &scene.background {
         Background::Transparent => Paper::Clear,
-        Background::Colour(colour) => Paper::Colour(colour.to_srgb8()),
+        // Pores are too many for shapes.
+        Background::Colour(colour) | Background::Paper(colour) => Paper::Colour(colour.to_srgb8()),
         Background::Gradient { top, bottom } => {
             let stop = |stop: u8| mixed(*top, *bottom, f32::from(stop) / f32::from(STOPS - 1));
             Paper::Gradient((0..STOPS).map(stop).collect())

@@ -54,6 +54,9 @@ fn object_json(object: &Object, load: &Load) -> Value {
         "file": file,
         "particles": load.particles,
         "vortices": load.vortices,
+        "grid": load.grid.map(|grid| json!({
+            "cells": grid.cells, "side": grid.side, "sub_steps": grid.sub_steps, "bytes": grid.bytes(),
+        })),
         "triangles": load.triangles,
         "surface": load.surface.map(|room| json!({ "triangles": room.triangles, "bytes": load.surface_bytes() })),
         "details": load.details.iter().map(detail).collect::<Vec<_>>(),

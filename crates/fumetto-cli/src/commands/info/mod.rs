@@ -10,8 +10,8 @@ use fumetto::{Assets as _, ImportedSize, Tiling, imported_size};
 use fumetto_formats::{ModelOptions, is_sequence, read_model, read_particles, sequence_path};
 use fumetto_scene::limits::PARTICLE_BYTES;
 use fumetto_scene::{
-    Background, Given, Light, LightKind, Matter, Object, Particle, Scene, Surface, SurfaceRoom, VolumeRoom,
-    vortex_bytes,
+    Background, Given, GridPlan, Light, LightKind, Matter, Object, Particle, Scene, Surface, SurfaceRoom,
+    VolumeRoom, vortex_bytes,
 };
 
 use crate::args::InfoArgs;
@@ -39,6 +39,8 @@ struct Load {
     particles: u64,
     /// Vortex particles, likewise.
     vortices: u64,
+    /// The grid that its air is in.
+    grid: Option<GridPlan>,
     /// Copies counted singly.
     triangles: u64,
     /// Room for a surface round the particles.
@@ -99,6 +101,7 @@ impl Load {
         self.particles
             .saturating_mul(PARTICLE_BYTES)
             .saturating_add(vortex_bytes(self.vortices))
+            .saturating_add(self.grid.map_or(0, |grid| grid.bytes()))
             .saturating_add(details)
             .saturating_add(volume)
             .saturating_add(self.paint.map_or(0, |room| room.bytes))
@@ -143,6 +146,7 @@ fn loads(scene: &Scene, folder: &SceneFolder) -> anyhow::Result<Vec<Load>> {
             Ok(Load {
                 particles,
                 vortices: cost.vortices,
+                grid: cost.grid,
                 surface: cost.surface,
                 details: cost.details,
                 volume: cost.volume,

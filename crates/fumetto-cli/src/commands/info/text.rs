@@ -3,7 +3,7 @@
 use fumetto::ImportedSize;
 use fumetto_formats::is_sequence;
 use fumetto_scene::limits::PARTICLE_BYTES;
-use fumetto_scene::{Light, Matter, Object, Ramp, Scene, Style, VolumeRoom, Width, vortex_bytes};
+use fumetto_scene::{GridPlan, Light, Matter, Object, Ramp, Scene, Style, VolumeRoom, Width, vortex_bytes};
 use indicatif::{BinaryBytes, HumanCount};
 
 use super::{Load, background, duration_secs, hex, is_by_tiles, light_kind, sum};
@@ -34,6 +34,7 @@ pub(super) fn of(name: &str, scene: &Scene, loads: &[Load]) -> String {
         ));
         lines.extend(load_words(load));
         lines.extend(vortex_words(load.vortices));
+        lines.extend(load.grid.as_ref().map(grid_words));
         let surface = load.surface.map(|room| surface_words("surface", room.triangles, load.surface_bytes()));
         lines.extend(surface);
         lines.extend(load.details.iter().map(|room| surface_words("detail", room.triangles, room.bytes())));
@@ -63,6 +64,16 @@ fn load_words(load: &Load) -> Option<String> {
 
 fn vortex_words(vortices: u64) -> Option<String> {
     (vortices > 0).then(|| format!("    vortices  {}", cost(vortices, vortex_bytes(vortices))))
+}
+
+fn grid_words(grid: &GridPlan) -> String {
+    let [x, y, z] = grid.cells;
+    let steps = if grid.sub_steps == 1 { "sub-step" } else { "sub-steps" };
+    let bytes = BinaryBytes(grid.bytes());
+    format!(
+        "    grid      {x} x {y} x {z} cells of {:.3} m, {} {steps} a step, {bytes} on the GPU",
+        grid.side, grid.sub_steps
+    )
 }
 
 fn surface_words(what: &str, triangles: u32, bytes: u64) -> String {

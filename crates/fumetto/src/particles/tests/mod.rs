@@ -44,7 +44,7 @@ crate::gpu::layout_test!(
 );
 
 impl Particle {
-    fn is_alive(&self) -> bool {
+    pub(super) fn is_alive(&self) -> bool {
         self.age < self.life
     }
 }

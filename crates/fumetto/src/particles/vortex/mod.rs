@@ -38,6 +38,15 @@ pub(super) struct Span {
     pub(super) dt: f64,
 }
 
+impl Span {
+    /// The `number`-th of steps that last `dt`: it ends just where the next begins, so that no birth falls between
+    /// them.
+    pub(super) fn between(number: u64, dt: f64) -> Self {
+        let time = number as f64 * dt;
+        Self { time, dt: (number + 1) as f64 * dt - time }
+    }
+}
+
 impl Vortices {
     pub(super) fn new(gpu: &Gpu) -> Self {
         Self { rings: Rings::new(gpu), order: Order::new(gpu), carry: Carry::new(gpu) }

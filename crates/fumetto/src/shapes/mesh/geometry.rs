@@ -195,6 +195,17 @@ impl Geometry {
     }
 }
 
+/// Where the corners of all triangles of `mesh`, which `model` holds, are at a moment.
+pub(crate) fn triangles_at(mesh: &Mesh, model: &Model, time_secs: f32) -> Vec<[Vec3; 3]> {
+    let of_part = |(placed, world_from_part): (Placed, Mat4)| {
+        let part = &model.parts[placed.part];
+        let corner =
+            move |corner: u32| world_from_part.transform_point3(part.positions[corner as usize].into());
+        part.triangles.iter().map(move |triangle| triangle.map(corner))
+    };
+    placements(mesh, model, time_secs).flat_map(of_part).collect()
+}
+
 /// Every part of every copy, and where it stands.
 fn placements<'a>(
     mesh: &'a Mesh,
@@ -273,7 +284,13 @@ pub(super) mod tests {
                 Err(std::io::ErrorKind::NotFound.into())
             });
         let still = Transform { position: [0.0; 3], rotation_deg: [0.0; 3], scale: [1.0; 3] };
-        let mesh = Mesh { model: "test.obj".into(), z_up: false, smooth_deg: None, copies: vec![still] };
+        let mesh = Mesh {
+            model: "test.obj".into(),
+            z_up: false,
+            smooth_deg: None,
+            copies: vec![still],
+            obstacle: false,
+        };
         let mut geometry = Geometry::default();
         geometry.add(&mesh, &model.expect("the test's model can be read"));
         geometry

@@ -23,7 +23,7 @@ pub(crate) use body::Body;
 pub(crate) use edge_scene::LineScene;
 pub(crate) use edges::candidates;
 pub(crate) use edges::{Candidate, bit};
-pub(crate) use geometry::{Geometry, Part, Triangle, world_from_file};
+pub(crate) use geometry::{Geometry, Part, Triangle, triangles_at, world_from_file};
 pub(crate) use place::Place;
 pub(crate) use reserved::Reserved;
 pub(crate) use scene::{Casters, MeshError, MeshScene};

@@ -190,7 +190,7 @@ mod tests {
         let model = read_model("a.obj", obj.as_bytes(), ModelOptions::default(), &mut |_| {
             Err(std::io::ErrorKind::NotFound.into())
         });
-        let mesh = Mesh { model: "a.obj".into(), z_up: false, smooth_deg: None, copies };
+        let mesh = Mesh { model: "a.obj".into(), z_up: false, smooth_deg: None, copies, obstacle: false };
         let mut geometry = Geometry::default();
         geometry.add(&mesh, &model.unwrap());
         Shells::new(&geometry, |_| true)

@@ -12,7 +12,7 @@ fn geometry(name: &str, bytes: &[u8], copies: usize) -> Geometry {
         read_model(name, bytes, ModelOptions::default(), &mut |_| Err(io::ErrorKind::NotFound.into()))
             .expect("the model can be read");
     let copies = vec![Transform::default(); copies];
-    let mesh = Mesh { model: name.into(), z_up: false, smooth_deg: None, copies };
+    let mesh = Mesh { model: name.into(), z_up: false, smooth_deg: None, copies, obstacle: false };
     let mut geometry = Geometry::default();
     geometry.add(&mesh, &model);
     geometry

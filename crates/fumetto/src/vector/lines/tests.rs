@@ -80,7 +80,8 @@ fn both(mut one: Solids, other: Solids) -> Solids {
 fn object() -> Object {
     let mut style = Style::default();
     style.ink.method = InkMethod::Vector;
-    let mesh = Mesh { model: "test.obj".into(), z_up: false, smooth_deg: None, copies: Vec::new() };
+    let mesh =
+        Mesh { model: "test.obj".into(), z_up: false, smooth_deg: None, obstacle: false, copies: Vec::new() };
     Object {
         name: "test".to_owned(),
         visible: true,

@@ -1,0 +1,85 @@
+//! Models that smoke goes round.
+
+use fumetto_scene::{GridPlan, Matter, Scene, Smoke};
+use glam::Vec3;
+
+use super::{PlayedMatter, PlayedModel, PlayedObject};
+use crate::{
+    Error, TooManyFacets,
+    gpu::Frame,
+    particles::{Facet, Plume, Voxels},
+    shapes::mesh::triangles_at,
+};
+
+fn obstacles(objects: &[PlayedObject]) -> impl Iterator<Item = &PlayedModel> {
+    objects.iter().filter_map(|object| match &object.matter {
+        PlayedMatter::Model(played) if played.mesh.obstacle => Some(&**played),
+        _ => None,
+    })
+}
+
+/// Whether the scene has any.
+pub(super) fn has_obstacles(scene: &Scene) -> bool {
+    scene.objects.iter().any(|object| matches!(&object.matter, Matter::Mesh(mesh) if mesh.obstacle))
+}
+
+/// All of them in the cells of a grid, as they are at `time` and move until `dt` later.
+fn voxels(
+    objects: &[PlayedObject],
+    plan: &GridPlan,
+    (time, dt): (f64, f64),
+) -> Result<Voxels, TooManyFacets> {
+    let mut facets = Vec::new();
+    for PlayedModel { mesh, model, .. } in obstacles(objects) {
+        let now = triangles_at(mesh, model, time as f32);
+        let soon = triangles_at(mesh, model, (time + dt) as f32);
+        facets.extend(now.into_iter().zip(soon).map(|(corners, next)| {
+            let shift = next.iter().sum::<Vec3>() - corners.iter().sum::<Vec3>();
+            Facet { corners, velocity: shift / (3.0 * dt as f32) }
+        }));
+    }
+    Voxels::new(plan, &facets)
+}
+
+/// Puts obstacles to where they are in the step that begins at `time`, if they have moved since the last.
+pub(super) fn place(frame: &mut Frame<'_>, objects: &[PlayedObject], plume: &Plume, (time, dt): (f64, f64)) {
+    let Some(air) = plume.air().filter(|air| air.solids.are_there) else { return };
+    if time == 0.0 || obstacles(objects).any(|played| played.model.is_animated()) {
+        // At the start they were few enough; should they ever grow, they stay as they were.
+        if let Ok(voxels) = voxels(objects, &air.plan, (time, dt)) {
+            air.solids.set(frame, &voxels);
+        }
+    }
+}
+
+/// Refuses obstacles that are too many, and tells of what they may spoil.
+pub(super) fn check(scene: &Scene, objects: &[PlayedObject]) -> Result<Vec<String>, Error> {
+    let mut notes = Vec::new();
+    for (object, played) in scene.objects.iter().zip(objects) {
+        let (PlayedMatter::Smoke(plume), Matter::Smoke(smoke)) = (&played.matter, &object.matter) else {
+            continue;
+        };
+        let Some(air) = plume.air().filter(|air| air.solids.are_there) else { continue };
+        let voxels = voxels(objects, &air.plan, (0.0, scene.time.step_secs()))
+            .map_err(|source| Error::Obstacles { object: object.name.clone(), source })?;
+        notes.extend(notes_on(&object.name, smoke, &voxels, |place| air.in_cells(place)));
+    }
+    Ok(notes)
+}
+
+fn notes_on(name: &str, smoke: &Smoke, voxels: &Voxels, in_cells: impl Fn([f32; 3]) -> Vec3) -> Vec<String> {
+    let mut notes = Vec::new();
+    if voxels.leaks {
+        notes.push(format!(
+            "an obstacle in the air of `{name}` is not closed: cells beside its holes are left as air"
+        ));
+    }
+    for (emitter, number) in smoke.emitters.iter().zip(1..) {
+        if voxels.holds(in_cells(emitter.shape.middle())) {
+            notes.push(format!(
+                "the middle of emitter {number} of `{name}` lies inside an obstacle: its smoke is pushed out"
+            ));
+        }
+    }
+    notes
+}
