@@ -281,18 +281,19 @@ impl SurfaceRoom {
     #[must_use]
     pub fn parts(&self) -> [(&'static str, u64, u64); 8] {
         [
-            // A blob, and its part in a share of 64 bytes for each 256.
-            ("particles", u64::from(self.particles), 33),
+            // A blob, one more where there are very many, and its part in a share of 48 bytes for each 1024.
+            ("particles", u64::from(self.particles), 65),
             // Where it is in the table, whether it is touched, and how many are before it.
             ("regions of blocks", u64::from(self.regions), 12),
             // Tally, start, state, whether crossed, slot; a run for each 32.
             ("blocks of cells", u64::from(self.blocks), 21),
             ("particles on blocks' lists", u64::from(self.entries), 4),
             // What is crossed.
-            ("blocks that the surface crosses", u64::from(self.active), 56),
-            // Signs, place and number, counts and starts.
-            ("blocks that are sampled", u64::from(self.active), 48),
-            ("vertices", u64::from(self.vertices), 16),
+            ("blocks that the surface crosses", u64::from(self.active), 64),
+            // Signs, place and number, counts and starts; a run for each 32.
+            ("blocks that are sampled", u64::from(self.active), 57),
+            // And its place on the list of those that need care.
+            ("vertices", u64::from(self.vertices), 20),
             ("triangles", u64::from(self.triangles), 16),
         ]
     }

@@ -75,6 +75,17 @@ pub(crate) fn kernels<const N: usize>(
     slots: &[Slot],
     entries: [&str; N],
 ) -> [wgpu::ComputePipeline; N] {
+    kernels_with(gpu, program, slots, entries, &[])
+}
+
+/// Likewise, with values of the program's `override` constants.
+pub(crate) fn kernels_with<const N: usize>(
+    gpu: &Gpu,
+    program: wgpu::ShaderModuleDescriptor<'_>,
+    slots: &[Slot],
+    entries: [&str; N],
+    constants: &[(&str, f64)],
+) -> [wgpu::ComputePipeline; N] {
     let label = program.label;
     let module = gpu.device.create_shader_module(program);
     let slots: Vec<_> = (0..)
@@ -99,7 +110,7 @@ pub(crate) fn kernels<const N: usize>(
             layout: Some(&layout),
             module: &module,
             entry_point: Some(entry),
-            compilation_options: wgpu::PipelineCompilationOptions::default(),
+            compilation_options: wgpu::PipelineCompilationOptions { constants, ..Default::default() },
             cache: None,
         })
     })

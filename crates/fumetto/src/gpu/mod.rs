@@ -19,7 +19,7 @@ pub(crate) use readback::{read_buffer, read_items};
 
 pub(crate) use compact::{Compact, DrawList, Listing};
 pub(crate) use device::{folded, linear_sampler, workgroups};
-pub(crate) use kernels::{Slot, kernels};
+pub(crate) use kernels::{Slot, kernels, kernels_with};
 pub(crate) use pass::{Frame, RasterPipeline, Target};
 pub(crate) use pool::{TexturePool, Transient};
 pub(crate) use shader::shader;

@@ -27,10 +27,10 @@ impl Adjacent {
             &work.active,
             &work.crossings,
             &work.polygons,
-            &work.triangle_starts,
+            &work.mesh_starts,
             adjacent,
         ]
         .map(wgpu::Buffer::as_entire_binding);
-        frame.compute_indirect("shapes.surface.adjacent", &self.pipeline, &bindings, &work.dispatch);
+        frame.compute_indirect("shapes.surface.adjacent", &self.pipeline, &bindings, &work.chunks);
     }
 }

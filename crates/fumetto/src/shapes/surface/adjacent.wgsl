@@ -1,16 +1,17 @@
 // Finds for each edge of each triangle the triangle beyond, by which shadow volumes know where they end.
 //
 // No search is needed. Of two triangles that share an edge, either both are of one cell, or the edge lies in
-// the face between two cells: diagonals of polygons never do (see `polygons.rs`). Four invocations share the cells
-// of a block.
+// the face between two cells: diagonals of polygons never do (see `polygons.rs`). The chunks of a block share its
+// cells.
 
 @group(0) @binding(0) var<uniform> recipe: Recipe;
 @group(0) @binding(1) var<storage, read> lattice: Lattice;
 @group(0) @binding(2) var<storage, read> states: array<u32>;
 @group(0) @binding(3) var<storage, read> active_blocks: array<ActiveBlock>;
-@group(0) @binding(4) var<storage, read> crossed: array<Crossed>;
+@group(0) @binding(4) var<storage, read> crossed: array<PackedCrossed>;
 @group(0) @binding(5) var<storage, read> polygons: array<vec2u>;
-@group(0) @binding(6) var<storage, read> triangle_starts: array<u32>;
+// How many vertices, triangles and chunks there are before each block.
+@group(0) @binding(6) var<storage, read> mesh_starts: array<vec4u>;
 // Three for each triangle, numbered as triangles are: beyond the edges from its first corner to the second, from
 // the second to the third, and back.
 @group(0) @binding(7) var<storage, read_write> adjacent: array<u32>;
@@ -24,31 +25,31 @@ struct Cell {
 }
 
 // State of the block in which a place is, counted from the first cell of `block`.
-fn state_at(block: vec3i, place: vec3i) -> u32 {
-    let number = block_number(block + (place >> vec3u(2u)));
+fn state_at(grid: Grid, block: vec3i, place: vec3i) -> u32 {
+    let number = block_number(grid, block + (place >> vec3u(2u)));
     if number == NOWHERE {
         return OUTSIDE;
     }
     return states[number];
 }
 
-fn inside_at(block: vec3i, place: vec3i) -> u32 {
-    let state = state_at(block, place);
+fn inside_at(grid: Grid, block: vec3i, place: vec3i) -> u32 {
+    let state = state_at(grid, block, place);
     if state < ACTIVE {
         return state;
     }
-    return has(crossed[state - ACTIVE].inside, local_number(vec3u(place & vec3i(3))));
+    return has(crossed[state - ACTIVE].inside_x.xy, local_number(vec3u(place & vec3i(3))));
 }
 
-fn cell_at(block: vec3i, place: vec3i) -> Cell {
-    let state = state_at(block, place);
+fn cell_at(grid: Grid, block: vec3i, place: vec3i) -> Cell {
+    let state = state_at(grid, block, place);
     if state < ACTIVE {
         return Cell(NOWHERE, 0u, vec2u(0u));
     }
     var corners = 0u;
     for (var corner = 0u; corner < 8u; corner++) {
         let step = vec3i((vec3u(corner) >> vec3u(0u, 1u, 2u)) & vec3u(1u));
-        corners |= inside_at(block, place + step) << corner;
+        corners |= inside_at(grid, block, place + step) << corner;
     }
     return Cell(state - ACTIVE, local_number(vec3u(place & vec3i(3))), polygons[corners]);
 }
@@ -64,6 +65,10 @@ fn opposite(edge: u32, axis: u32) -> u32 {
     return edge ^ (1u << ((axis + 5u - (edge >> 2u)) % 3u));
 }
 
+fn first_triangle(cell: Cell) -> u32 {
+    return mesh_starts[cell.slot].y + triangles_before(unpacked_crossed(crossed[cell.slot]), cell.number);
+}
+
 // The number of the cell's triangle that runs from one edge of the cell to another.
 fn triangle_along(cell: Cell, start: u32, end: u32) -> u32 {
     if cell.slot == NOWHERE {
@@ -74,7 +79,7 @@ fn triangle_along(cell: Cell, start: u32, end: u32) -> u32 {
         for (var corner = 0u; corner < 3u; corner++) {
             let next = select(corner + 1u, 0u, corner == 2u);
             if edge_of(filling, 3u * index + corner) == start && edge_of(filling, 3u * index + next) == end {
-                return triangle_starts[cell.slot] + triangles_before(crossed[cell.slot], cell.number) + index;
+                return first_triangle(cell) + index;
             }
         }
     }
@@ -82,7 +87,7 @@ fn triangle_along(cell: Cell, start: u32, end: u32) -> u32 {
 }
 
 // The number of the triangle that runs against an edge of one in the cell at `place`.
-fn triangle_beyond(cell: Cell, block: vec3i, place: vec3i, edge: vec2u) -> u32 {
+fn triangle_beyond(grid: Grid, cell: Cell, block: vec3i, place: vec3i, edge: vec2u) -> u32 {
     let start = edge.x;
     let end = edge.y;
     for (var axis = 0u; axis < 3u; axis++) {
@@ -90,14 +95,14 @@ fn triangle_beyond(cell: Cell, block: vec3i, place: vec3i, edge: vec2u) -> u32 {
         if side != 2u && side == side_of(end, axis) {
             var beyond = place;
             beyond[axis] += 2 * i32(side) - 1;
-            return triangle_along(cell_at(block, beyond), opposite(end, axis), opposite(start, axis));
+            return triangle_along(cell_at(grid, block, beyond), opposite(end, axis), opposite(start, axis));
         }
     }
     return triangle_along(cell, end, start);
 }
 
-fn note(cell: Cell, block: vec3i, place: vec3i) {
-    let first = triangle_starts[cell.slot] + triangles_before(crossed[cell.slot], cell.number);
+fn note(grid: Grid, cell: Cell, block: vec3i, place: vec3i) {
+    let first = first_triangle(cell);
     for (var index = 0u; index < triangles_in(cell.filling); index++) {
         if first + index >= recipe.triangles {
             return;
@@ -106,22 +111,26 @@ fn note(cell: Cell, block: vec3i, place: vec3i) {
             let next = select(corner + 1u, 0u, corner == 2u);
             let start = edge_of(cell.filling, 3u * index + corner);
             let end = edge_of(cell.filling, 3u * index + next);
-            let beyond = triangle_beyond(cell, block, place, vec2u(start, end));
+            let beyond = triangle_beyond(grid, cell, block, place, vec2u(start, end));
             adjacent[3u * (first + index) + corner] = select(NOWHERE, beyond, beyond < recipe.triangles);
         }
     }
 }
 
-@compute @workgroup_size(32)
+@compute @workgroup_size(64)
 fn main(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: vec3u, @builtin(local_invocation_index) lane: u32) {
-    let slot = (group.y * groups.x + group.x) * 8u + lane / 4u;
-    if slot >= lattice.active_blocks {
+    let grid = grid();
+    let blocks = lattice.active_blocks;
+    let number = (group.y * groups.x + group.x) * 64u + lane;
+    if number >= mesh_starts[recipe.active_blocks].z {
         return;
     }
-    let block = active_blocks[slot].place;
-    let filled = crossed[slot].ones | crossed[slot].twos | crossed[slot].fours;
-    for (var index = lane % 4u; index < bits_of(filled); index += 4u) {
+    let chunk = chunk_at(number, blocks);
+    let block = active_blocks[chunk.slot].place;
+    let own = unpacked_crossed(crossed[chunk.slot]);
+    let filled = own.ones | own.twos | own.fours;
+    for (var index = chunk.index; index < bits_of(filled); index += chunk.count) {
         let place = vec3i(local_place(nth_point(filled, index)));
-        note(cell_at(block, place), block, place);
+        note(grid, cell_at(grid, block, place), block, place);
     }
 }

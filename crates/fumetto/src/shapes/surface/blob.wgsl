@@ -6,7 +6,20 @@ struct Blob {
     mass: f32,
     // 1 / radius².
     inverse_square: f32,
-    pad: vec2f,
+}
+
+// As it lies in memory: a processor that draws takes as long to read one number as to read four.
+struct PackedBlob {
+    ball: vec4f,
+    weight: vec4f,
+}
+
+fn packed(blob: Blob) -> PackedBlob {
+    return PackedBlob(vec4f(blob.center, blob.radius), vec4f(blob.mass, blob.inverse_square, 0.0, 0.0));
+}
+
+fn unpacked(blob: PackedBlob) -> Blob {
+    return Blob(blob.ball.xyz, blob.ball.w, blob.weight.x, blob.weight.y);
 }
 
 // Beyond this (in metres, and in units of mass) single floats no longer hold squares and sums; below it,

@@ -22,17 +22,14 @@ impl Blocks {
             Slot::Write,
             Slot::Write,
             Slot::Read,
+            Slot::Write,
         ];
         let [classify] = kernels(gpu, shader!("shapes/surface/blocks"), &slots, ["main"]);
         let [uniform, read, write] = [Slot::Uniform, Slot::Read, Slot::Write];
         let slots = [uniform, write, read, read, read, write, write];
         let [enlist] = kernels(gpu, shader!("shapes/surface/enlist"), &slots, ["main"]);
-        let [dispatch] = kernels(
-            gpu,
-            shader!("shapes/surface/dispatch"),
-            &[Slot::Read, Slot::Write, Slot::Write],
-            ["main"],
-        );
+        let [dispatch] =
+            kernels(gpu, shader!("shapes/surface/dispatch"), &[Slot::Read, Slot::Write], ["main"]);
         Self { classify, enlist, dispatch }
     }
 
@@ -49,15 +46,16 @@ impl Blocks {
             &work.states,
             &work.crossed,
             &work.kept,
+            &work.tally,
         ]
         .map(wgpu::Buffer::as_entire_binding);
         frame.compute("shapes.surface.classify", &self.classify, &bindings, all);
-        scan.record(frame, room.blocks, [&work.crossed, &work.runs, &work.slots]);
+        scan.words(frame, room.blocks, [&work.crossed, &work.runs, &work.slots]);
         let bindings =
             [recipe, &work.lattice, &work.crossed, &work.slots, &work.kept, &work.states, &work.active]
                 .map(wgpu::Buffer::as_entire_binding);
         frame.compute("shapes.surface.enlist", &self.enlist, &bindings, all);
-        let bindings = [&work.lattice, &work.dispatch, &work.long].map(wgpu::Buffer::as_entire_binding);
+        let bindings = [&work.lattice, &work.dispatch].map(wgpu::Buffer::as_entire_binding);
         frame.compute("shapes.surface.dispatch", &self.dispatch, &bindings, [1, 1, 1]);
     }
 }

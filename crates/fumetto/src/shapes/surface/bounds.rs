@@ -1,7 +1,10 @@
 //! Puffs become blobs, and the lattice is laid around them.
 
-use super::Job;
-use crate::gpu::{Frame, Gpu, Slot, kernels, shader, workgroups};
+use super::{Job, order::are_many};
+use crate::gpu::{Frame, Gpu, Slot, folded, kernels, shader};
+
+/// Particles that one workgroup of `bounds.wgsl` weighs.
+pub(super) const STRETCH: u32 = 1024;
 
 /// Long-lived kernels.
 #[derive(Debug)]
@@ -17,12 +20,13 @@ impl Bounds {
         Self { weigh, fit }
     }
 
-    /// Settles the blobs and the lattice.
+    /// Settles the blobs, and the lattice. Very many are not in order yet.
     pub(super) fn record(&self, frame: &mut Frame<'_>, job: Job<'_>, puffs: &wgpu::Buffer) {
         let Job { recipe, count, work, .. } = job;
+        let blobs = if are_many(count) { &work.loose } else { &work.blobs };
         let bindings =
-            [recipe, puffs, &work.blobs, &work.shares, &work.lattice].map(wgpu::Buffer::as_entire_binding);
-        frame.compute("shapes.surface.weigh", &self.weigh, &bindings, workgroups(count));
+            [recipe, puffs, blobs, &work.shares, &work.lattice].map(wgpu::Buffer::as_entire_binding);
+        frame.compute("shapes.surface.weigh", &self.weigh, &bindings, folded(count.div_ceil(STRETCH)));
         frame.compute("shapes.surface.fit", &self.fit, &bindings, [1, 1, 1]);
     }
 }

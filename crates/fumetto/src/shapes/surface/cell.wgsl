@@ -14,6 +14,36 @@ struct Crossed {
     fours: vec2u,
 }
 
+// As it lies in memory: a processor that draws takes as long to read one number as to read four.
+struct PackedCrossed {
+    inside_x: vec4u,
+    y_z: vec4u,
+    ones_twos: vec4u,
+    // And where the block's list begins and ends.
+    fours_list: vec4u,
+}
+
+fn packed_crossed(block: Crossed, list: vec2u) -> PackedCrossed {
+    return PackedCrossed(
+        vec4u(block.inside, block.x),
+        vec4u(block.y, block.z),
+        vec4u(block.ones, block.twos),
+        vec4u(block.fours, list),
+    );
+}
+
+fn unpacked_crossed(block: PackedCrossed) -> Crossed {
+    return Crossed(
+        block.inside_x.xy,
+        block.inside_x.zw,
+        block.y_z.xy,
+        block.y_z.zw,
+        block.ones_twos.xy,
+        block.ones_twos.zw,
+        block.fours_list.xy,
+    );
+}
+
 fn bits_of(word: vec2u) -> u32 {
     let bits = countOneBits(word);
     return bits.x + bits.y;
@@ -21,6 +51,10 @@ fn bits_of(word: vec2u) -> u32 {
 
 fn has(word: vec2u, point: u32) -> u32 {
     return (select(word.x, word.y, point >= 32u) >> (point & 31u)) & 1u;
+}
+
+fn bit_of(point: u32) -> vec2u {
+    return select(vec2u(0u, 1u), vec2u(1u, 0u), point < 32u) << vec2u(point & 31u);
 }
 
 // Bits of all points before one.
@@ -40,6 +74,12 @@ fn nth_point(word: vec2u, index: u32) -> u32 {
         left -= select(0u, lower, beyond);
     }
     return point;
+}
+
+// The bit that is set after one, or the last there can be.
+fn next_point(word: vec2u, point: u32) -> u32 {
+    let left = word & ~before(point) & ~bit_of(point);
+    return min(select(32u + firstTrailingBit(left.y), firstTrailingBit(left.x), left.x != 0u), 63u);
 }
 
 fn vertices_of(block: Crossed) -> u32 {

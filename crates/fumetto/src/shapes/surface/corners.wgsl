@@ -52,9 +52,9 @@ fn case_of(corners: Corners, cell: u32) -> u32 {
 }
 
 // Which blocks lie beyond the upper faces of one: state of that whose corner number is given.
-fn state_beyond(block: vec3i, corner: u32) -> u32 {
+fn state_beyond(grid: Grid, block: vec3i, corner: u32) -> u32 {
     let step = vec3i((vec3u(corner) >> vec3u(0u, 1u, 2u)) & vec3u(1u));
-    let number = block_number(block + step);
+    let number = block_number(grid, block + step);
     if number == NOWHERE {
         return OUTSIDE;
     }

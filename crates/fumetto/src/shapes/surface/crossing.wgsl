@@ -6,23 +6,6 @@ const STEPS: u32 = 10u;
 const CONVERGED: f32 = 1e-3;
 // Likewise where the place is only one to start from.
 const ROUGH: f32 = 0.03;
-// A vertex keeps so much of an edge from its ends: vertices around a lattice point that the surface
-// passes closely would else be the corners of slivers. On a sphere, angles of less than 20° then go from
-// one triangle in four to one in a hundred.
-const CLEAR: f32 = 0.4;
-// No vertex is farther from the middle of its edge, in cells: particles that do not reach so far are not
-// asked.
-const AROUND: f32 = 1.0;
-// Gradients below this lead nowhere.
-const FLAT: f32 = 1e-20;
-
-// A lattice edge.
-struct Edge {
-    start: vec3f,
-    along: vec3f,
-    // Whether its start is inside.
-    inside: bool,
-}
 
 struct Crossing {
     // How far along the edge.
@@ -80,7 +63,7 @@ fn slid(edge: Edge, crossed: Crossing, away: vec3f, near: Near) -> Sample {
     var field = field_at(place, near);
     for (var step = 0u; step < 2u; step++) {
         let back = step_to_surface(field, length(away));
-        if length(back) < 0.1 * CONVERGED * lattice.cell_m {
+        if length(back) < 0.1 * CONVERGED * near.units.cell_m {
             break;
         }
         place += back;
@@ -95,9 +78,10 @@ fn surface_near(edge: Edge, near: Near) -> Sample {
     if away != 0.0 && length(rough.field.xyz) > FLAT {
         let slid = slid(edge, rough, away * edge.along, near);
         // Not where the surface bends so much that it was missed.
-        let missed = length(step_to_surface(slid.field, lattice.cell_m));
+        let cell_m = near.units.cell_m;
+        let missed = length(step_to_surface(slid.field, cell_m));
         let off = distance(slid.place, edge.start + 0.5 * edge.along);
-        if missed < CONVERGED * lattice.cell_m && off < AROUND * lattice.cell_m && length(slid.field.xyz) > FLAT {
+        if missed < CONVERGED * cell_m && off < AROUND * cell_m && length(slid.field.xyz) > FLAT {
             return slid;
         }
     }
@@ -110,5 +94,5 @@ fn outward(field: vec4f, edge: Edge) -> vec3f {
     if steepness > FLAT {
         return -field.xyz / steepness;
     }
-    return select(-1.0, 1.0, edge.inside) * edge.along / lattice.cell_m;
+    return select(-1.0, 1.0, edge.inside) * normalize(edge.along);
 }

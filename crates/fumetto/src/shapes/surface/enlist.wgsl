@@ -5,7 +5,8 @@
 @group(0) @binding(2) var<storage, read> crossed: array<u32>;
 // How many are crossed before each block.
 @group(0) @binding(3) var<storage, read> slots: array<u32>;
-@group(0) @binding(4) var<storage, read> kept: array<u32>;
+// The first block of each region that is kept.
+@group(0) @binding(4) var<storage, read> kept: array<vec3i>;
 @group(0) @binding(5) var<storage, read_write> states: array<u32>;
 @group(0) @binding(6) var<storage, read_write> active_blocks: array<ActiveBlock>;
 

@@ -1,5 +1,8 @@
 // The field of Álvarez et al. 2007 and the noise that is added to it, from the density of equation 2.
 
+// Whether there is noise at all: kernels without are smaller, and a processor that draws goes through all of a kernel.
+override NOISY: bool = true;
+
 // Octaves of noise, each of half the size and strength, within ±1: gradient and value.
 fn ripple_at(place: vec3f) -> vec4f {
     var sum = vec4f(0.0);
@@ -22,7 +25,7 @@ fn ripple_at(place: vec3f) -> vec4f {
 // particles, so that none of it stands alone where there is no matter.
 fn field_of(density: vec4f, place: vec3f) -> vec4f {
     var field = density - vec4f(vec3f(0.0), recipe.threshold);
-    if recipe.noise_amplitude > 0.0 && density.w > 0.0 {
+    if NOISY && density.w > 0.0 {
         let share = min(density.w / recipe.threshold, 1.0);
         let hold = share * (2.0 - share);
         let hold_slope = 2.0 * (1.0 - share) / recipe.threshold;

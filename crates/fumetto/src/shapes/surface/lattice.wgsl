@@ -55,6 +55,18 @@ const ACTIVE: u32 = 2u;
 
 const NOWHERE: u32 = 0xffffffffu;
 
+// Where blocks lie. Kernels read it once, while all invocations still go the same way: a processor that draws reads
+// for each invocation on its own wherever they may not.
+struct Grid {
+    first: vec3i,
+    cell_m: f32,
+    regions: vec3u,
+}
+
+fn grid() -> Grid {
+    return Grid(lattice.first, lattice.cell_m, lattice.regions);
+}
+
 // How many there are in a box.
 fn count_in(box: vec3u) -> u32 {
     return box.x * box.y * box.z;
@@ -70,13 +82,13 @@ fn place_in(box: vec3u, number: u32) -> vec3i {
 }
 
 // The number of the block at a place, if its region is kept.
-fn block_number(place: vec3i) -> u32 {
-    let at = place - lattice.first;
+fn block_number(grid: Grid, place: vec3i) -> u32 {
+    let at = place - grid.first;
     let region = at >> vec3u(3u);
-    if any(region < vec3i(0)) || any(region >= vec3i(lattice.regions)) {
+    if any(region < vec3i(0)) || any(region >= vec3i(grid.regions)) {
         return NOWHERE;
     }
-    let kept = lattice.table[number_in(lattice.regions, vec3u(region))];
+    let kept = lattice.table[number_in(grid.regions, vec3u(region))];
     let within = vec3u(at & vec3i(REGION - 1));
     return select(kept * IN_REGION + (within.x | (within.y << 3u) | (within.z << 6u)), NOWHERE, kept == NOWHERE);
 }

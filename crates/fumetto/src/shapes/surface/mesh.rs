@@ -1,6 +1,6 @@
-//! Writes the mesh: vertices on lattice edges, triangles in cells.
+//! Counts the mesh, and writes it: vertices on lattice edges, triangles in cells.
 
-use super::Job;
+use super::{Job, noisy::Noisy};
 use crate::{
     gpu::{Frame, Gpu, Slot, kernels, shader},
     shapes::mesh::Reserved,
@@ -9,36 +9,44 @@ use crate::{
 /// Long-lived kernels.
 #[derive(Debug)]
 pub(super) struct Meshing {
-    vertices: wgpu::ComputePipeline,
-    triangles: wgpu::ComputePipeline,
     counters: wgpu::ComputePipeline,
+    vertices: Noisy,
+    careful: Noisy,
+    triangles: wgpu::ComputePipeline,
 }
 
 impl Meshing {
     pub(super) fn new(gpu: &Gpu) -> Self {
         let [uniform, read, write] = [Slot::Uniform, Slot::Read, Slot::Write];
-        let slots = [uniform, read, read, read, read, read, read, read, write];
-        let [vertices] = kernels(gpu, shader!("shapes/surface/vertices"), &slots, ["main"]);
-        let [triangles] = kernels(gpu, shader!("shapes/surface/triangles"), &slots, ["main"]);
-        let slots = [uniform, read, read, read, write];
+        let slots = [uniform, read, read, write, write, write];
         let [counters] = kernels(gpu, shader!("shapes/surface/counters"), &slots, ["main"]);
-        Self { vertices, triangles, counters }
+        let slots = [uniform, read, read, read, read, read, read, write, write];
+        let vertices = Noisy::new(gpu, &shader!("shapes/surface/vertices"), &slots);
+        let slots = [uniform, read, read, read, read, read, read, read, write];
+        let careful = Noisy::new(gpu, &shader!("shapes/surface/careful"), &slots);
+        let slots = [uniform, read, read, read, read, read, read, write];
+        let [triangles] = kernels(gpu, shader!("shapes/surface/triangles"), &slots, ["main"]);
+        Self { counters, vertices, careful, triangles }
     }
 
     pub(super) fn record(&self, frame: &mut Frame<'_>, job: Job<'_>, mesh: &Reserved) {
-        let Job { recipe, work, .. } = job;
+        let Job { recipe, noisy, work, .. } = job;
+        let bindings = [recipe, &work.lattice, &work.mesh_starts, &mesh.counters, &work.chunks, &work.hard]
+            .map(wgpu::Buffer::as_entire_binding);
+        frame.compute("shapes.surface.counters", &self.counters, &bindings, [1, 1, 1]);
         let bindings = [
             recipe.as_entire_binding(),
             work.lattice.as_entire_binding(),
             work.blobs.as_entire_binding(),
-            work.starts.as_entire_binding(),
             work.entries.as_entire_binding(),
             work.active.as_entire_binding(),
             work.crossings.as_entire_binding(),
-            work.vertex_starts.as_entire_binding(),
+            work.mesh_starts.as_entire_binding(),
+            work.hard.as_entire_binding(),
             mesh.vertices(),
         ];
-        frame.compute_indirect("shapes.surface.vertices", &self.vertices, &bindings, &work.dispatch);
+        frame.compute_indirect("shapes.surface.vertices", self.vertices.get(noisy), &bindings, &work.chunks);
+        frame.compute_indirect("shapes.surface.careful", self.careful.get(noisy), &bindings, &work.hard);
         let bindings = [
             recipe.as_entire_binding(),
             work.lattice.as_entire_binding(),
@@ -46,13 +54,9 @@ impl Meshing {
             work.active.as_entire_binding(),
             work.crossings.as_entire_binding(),
             work.polygons.as_entire_binding(),
-            work.vertex_starts.as_entire_binding(),
-            work.triangle_starts.as_entire_binding(),
+            work.mesh_starts.as_entire_binding(),
             mesh.triangles(),
         ];
-        frame.compute_indirect("shapes.surface.triangles", &self.triangles, &bindings, &work.dispatch);
-        let bindings = [recipe, &work.lattice, &work.vertex_starts, &work.triangle_starts, &mesh.counters]
-            .map(wgpu::Buffer::as_entire_binding);
-        frame.compute("shapes.surface.counters", &self.counters, &bindings, [1, 1, 1]);
+        frame.compute_indirect("shapes.surface.triangles", &self.triangles, &bindings, &work.chunks);
     }
 }

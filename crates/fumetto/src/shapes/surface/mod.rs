@@ -22,8 +22,8 @@
 //! vertices away from lattice points and on the true surface (`vertices.wgsl`). Dual methods have better
 //! triangles yet, as many of them, and need neighbours to be manifold.
 //!
-//! **Every run gives the same bytes**: sums are exact where lists are in no order, lists are sorted where they are not, and vertices and
-//! triangles come in the order of blocks and cells.
+//! **Every run gives the same bytes**: lists are in no order, and what is summed over them are whole numbers
+//! (`units.wgsl`); vertices and triangles come in the order of blocks and cells.
 //!
 //! **What does not fit** is never written out of bounds. Cells are made larger until blocks and lists fit,
 //! which keeps the surface closed; vertices and triangles beyond their room are left out. Either is told in
@@ -35,8 +35,9 @@ mod blocks;
 mod bounds;
 mod buffers;
 mod cells;
-mod lists;
 mod mesh;
+mod noisy;
+mod order;
 mod peak;
 mod polygons;
 mod recipe;
@@ -57,6 +58,7 @@ pub use size::SurfaceSize;
 
 use buffers::Workspace;
 use fumetto_scene::SurfaceRoom;
+use order::are_many;
 use recipe::Recipe;
 
 use crate::{
@@ -68,12 +70,12 @@ use crate::{
 #[derive(Debug)]
 pub(crate) struct Surface {
     bounds: bounds::Bounds,
+    order: order::Order,
     scan: scan::Scan,
     regions: regions::Regions,
     bins: bins::Bins,
     blocks: blocks::Blocks,
     cells: cells::Cells,
-    lists: lists::Lists,
     meshing: mesh::Meshing,
     adjacent: adjacent::Adjacent,
 }
@@ -82,12 +84,12 @@ impl Surface {
     pub(crate) fn new(gpu: &Gpu) -> Self {
         Self {
             bounds: bounds::Bounds::new(gpu),
+            order: order::Order::new(gpu),
             scan: scan::Scan::new(gpu),
             regions: regions::Regions::new(gpu),
             bins: bins::Bins::new(gpu),
             blocks: blocks::Blocks::new(gpu),
             cells: cells::Cells::new(gpu),
-            lists: lists::Lists::new(gpu),
             meshing: mesh::Meshing::new(gpu),
             adjacent: adjacent::Adjacent::new(gpu),
         }
@@ -106,13 +108,16 @@ impl Surface {
     ) {
         let uniform = frame.uniform("shapes.surface.recipe", &recipe.uniform(secs, room, mesh));
         let count = (recipe.puffs.len() as u32).min(room.particles);
-        let job = Job { recipe: &uniform, count, room, work };
+        let noisy = recipe.noise.is_some_and(|noise| noise.amplitude > 0.0);
+        let job = Job { recipe: &uniform, count, noisy, room, work };
         self.bounds.record(frame, job, puffs);
+        if are_many(count) {
+            self.order.record(frame, job, &self.scan);
+        }
         self.regions.record(frame, job, &self.scan);
         self.bins.record(frame, job, &self.scan);
         self.blocks.record(frame, job, &self.scan);
         self.cells.record(frame, job, &self.scan);
-        self.lists.record(frame, job);
         self.meshing.record(frame, job, mesh);
         if let Some(adjacent) = &mesh.adjacent {
             self.adjacent.record(frame, job, adjacent);
@@ -127,6 +132,8 @@ struct Job<'a> {
     recipe: &'a wgpu::Buffer,
     /// Particles.
     count: u32,
+    /// Whether noise is added to the field.
+    noisy: bool,
     room: SurfaceRoom,
     work: &'a Workspace,
 }

@@ -21,12 +21,12 @@ impl Regions {
 
     /// Settles the lattice, and fills its table.
     pub(super) fn record(&self, frame: &mut Frame<'_>, job: Job<'_>, scan: &Scan) {
-        let Job { recipe, count, room, work } = job;
+        let Job { recipe, count, room, work, .. } = job;
         let bindings = [recipe, &work.lattice, &work.blobs, &work.marks, &work.ranks, &work.kept]
             .map(wgpu::Buffer::as_entire_binding);
         let groups = folded((count * sharers(count)).div_ceil(64));
         frame.compute("shapes.surface.mark", &self.mark, &bindings, groups);
-        scan.record(frame, room.regions, [&work.marks, &work.runs, &work.ranks]);
+        scan.words(frame, room.regions, [&work.marks, &work.runs, &work.ranks]);
         frame.compute("shapes.surface.choose", &self.choose, &bindings, [1, 1, 1]);
         frame.compute("shapes.surface.keep", &self.keep, &bindings, workgroups(room.regions));
     }

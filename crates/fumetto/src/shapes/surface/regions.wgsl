@@ -5,25 +5,26 @@
 
 @group(0) @binding(0) var<uniform> recipe: Recipe;
 @group(0) @binding(1) var<storage, read_write> lattice: Lattice;
-@group(0) @binding(2) var<storage, read> blobs: array<Blob>;
+@group(0) @binding(2) var<storage, read> blobs: array<PackedBlob>;
 // 1 for each region that a particle touches. Behind them, how many blocks particles can touch together. All are
 // zero before and after.
 @group(0) @binding(3) var<storage, read_write> marks: array<atomic<u32>>;
 // How many marks there are before each region.
 @group(0) @binding(4) var<storage, read> ranks: array<u32>;
-// Regions that are kept.
-@group(0) @binding(5) var<storage, read_write> kept: array<u32>;
+// The first block of each region that is kept.
+@group(0) @binding(5) var<storage, read_write> kept: array<vec3i>;
 
 const SIDE: i32 = REGION * BLOCK;
 
 var<workgroup> touched: atomic<u32>;
 
-fn mark_around(blob: Blob, sharer: u32) {
-    let around = around(blob, SIDE);
-    for (var index = sharer; index < count_in(around.size); index += recipe.sharers) {
-        let place = around.first + place_in(around.size, index);
-        if touches(blob, place, SIDE) {
-            let mark = number_in(lattice.regions, vec3u(place - lattice.first / REGION));
+fn mark_touched(grid: Grid, blob: Blob, sharer: u32, sharers: u32) {
+    let ball = ball_of(grid, blob, SIDE);
+    for (var row = first_row(ball, sharer, sharers); row.at.y < ball.size.z; row = next_row(ball, row)) {
+        let touched = touched_in(ball, row);
+        for (var x = touched.x; x <= touched.y; x++) {
+            let place = vec3i(x, ball.first.yz + row.at) - grid.first / REGION;
+            let mark = number_in(grid.regions, vec3u(place));
             // Most are marked already, and looking is cheaper.
             if atomicLoad(&marks[mark]) == 0u {
                 atomicStore(&marks[mark], 1u);
@@ -34,14 +35,16 @@ fn mark_around(blob: Blob, sharer: u32) {
 
 @compute @workgroup_size(64)
 fn mark(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: vec3u, @builtin(local_invocation_index) lane: u32) {
+    let grid = grid();
+    let sharers = recipe.sharers;
     let invocation = (group.y * groups.x + group.x) * 64u + lane;
-    let item = invocation / recipe.sharers;
-    let sharer = invocation % recipe.sharers;
+    let item = invocation >> firstTrailingBit(sharers);
+    let sharer = invocation & (sharers - 1u);
     if item < recipe.count {
-        let blob = blobs[item];
-        mark_around(blob, sharer);
+        let blob = unpacked(blobs[item]);
+        mark_touched(grid, blob, sharer, sharers);
         if sharer == 0u {
-            atomicAdd(&touched, count_in(around(blob, BLOCK).size));
+            atomicAdd(&touched, count_in(vec3u(ball_of(grid, blob, BLOCK).size)));
         }
     }
     workgroupBarrier();
@@ -77,6 +80,6 @@ fn keep(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: ve
     let rank = select(select(NOWHERE, ranks[region], is_marked), region, all);
     lattice.table[region] = rank;
     if rank != NOWHERE {
-        kept[rank] = region;
+        kept[rank] = lattice.first + place_in(lattice.regions, region) * REGION;
     }
 }

@@ -1,0 +1,2 @@
+// What is summed: four sums at once.
+alias Item = vec4u;

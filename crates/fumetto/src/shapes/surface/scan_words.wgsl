@@ -1,0 +1,2 @@
+// What is summed.
+alias Item = u32;
