@@ -48,7 +48,7 @@ impl Ink {
             for x in (0..width).step_by(EVERY) {
                 if self.at(x, y) >= LINE {
                     let [changed, all] = self.best(other, [x, y], motion);
-                    sums = [sums[0] + changed as f64, sums[1] + all as f64];
+                    sums = [sums[0] + f64::from(changed), sums[1] + f64::from(all)];
                 }
             }
         }

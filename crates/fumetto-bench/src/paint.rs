@@ -130,8 +130,7 @@ fn floor() -> String {
 
 /// A floor and so many volumes on it, whose areas add up to the same whatever their number.
 fn text(pieces: Option<u32>, volumes: u32) -> String {
-    let mut text = format!(
-        r##"
+    let mut text = r##"
 format = 1
 [camera]
 eye = [0.0, 7.0, 9.0]
@@ -149,9 +148,9 @@ antialias = 1
 name = "floor"
 kind = "mesh"
 model = "floor.obj"
-style = {{ tones = ["#6a6283", "#e0784a", "#ffd9a0"], shadow = {{ on = false }} }}
+style = { tones = ["#6a6283", "#e0784a", "#ffd9a0"], shadow = { on = false } }
 "##
-    );
+    .to_owned();
     if let Some(pieces) = pieces {
         let radius = 0.45 * FLOOR_M / f64::from(volumes).sqrt();
         let _ = writeln!(

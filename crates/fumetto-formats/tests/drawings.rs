@@ -2,7 +2,7 @@
 #![expect(clippy::unwrap_used, reason = "a test that cannot set up should stop")]
 
 use fumetto_formats::{Drawing, Folder, Image, Item, Paper, Shape, write_animated_svg, write_pdf, write_svg};
-use kurbo::{Circle, Rect, Shape as _};
+use kurbo::{Circle, Rect};
 use proptest::prelude::*;
 use resvg::{tiny_skia, usvg};
 

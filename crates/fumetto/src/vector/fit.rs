@@ -192,7 +192,8 @@ mod tests {
             }
             for pair in curve.windows(2) {
                 let (PathSeg::Cubic(a), PathSeg::Cubic(b)) = (pair[0], pair[1]) else { panic!("a line") };
-                let (before, after) = (unit(a.p3 - a.p2).unwrap(), unit(b.p1 - b.p0).unwrap());
+                let (before, after) =
+                    (unit(a.p3 - a.p2).expect("a direction"), unit(b.p1 - b.p0).expect("a direction"));
                 assert!(before.dot(after) > 0.9999, "a corner");
             }
         }

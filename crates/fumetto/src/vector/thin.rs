@@ -32,7 +32,7 @@ pub(super) fn middles(size: [usize; 2], inked: impl Fn(usize) -> bool) -> (Vec<V
     let area = samples.len() as f64;
     let middle = mask.thin(samples);
     let mean = area / (middle.len() as f64).max(1.0);
-    let ways = mask.ways(middle, (1.5 * mean) as usize);
+    let ways = mask.ways(&middle, (1.5 * mean) as usize);
     let point = |&at: &usize| Point::new((at % mask.width) as f64 - 0.5, (at / mask.width) as f64 - 0.5);
     let curves =
         ways.iter().map(|way| Hand::INK.open(&way.iter().map(point).collect::<Vec<_>>(), [None, None]));
@@ -67,7 +67,7 @@ impl Mask {
 
     /// Rows of samples from where lines end or meet to where they do again; ends that stick out by no more than
     /// `spur` samples are left out.
-    fn ways(&self, samples: Vec<usize>, spur: usize) -> Vec<Vec<usize>> {
+    fn ways(&self, samples: &[usize], spur: usize) -> Vec<Vec<usize>> {
         let mut is_passed = vec![false; self.inked.len()];
         let is_stop = |at: usize| self.degree(at) != 2;
         let mut ways: Vec<Vec<usize>> = Vec::new();
@@ -85,15 +85,15 @@ impl Mask {
             }
         }
         // What is left goes round.
-        for &start in &samples {
-            if !is_passed[start] && !is_stop(start) {
-                if let Some(way) = STRAIGHT_FIRST.into_iter().find(|&way| self.inked[self.beside(start, way)])
-                {
-                    is_passed[start] = true;
-                    let mut found = self.follow(start, self.beside(start, way), &mut is_passed);
-                    found.push(start);
-                    ways.push(found);
-                }
+        for &start in samples {
+            if !is_passed[start]
+                && !is_stop(start)
+                && let Some(way) = STRAIGHT_FIRST.into_iter().find(|&way| self.inked[self.beside(start, way)])
+            {
+                is_passed[start] = true;
+                let mut found = self.follow(start, self.beside(start, way), &mut is_passed);
+                found.push(start);
+                ways.push(found);
             }
         }
         ways.retain(|way| way.len() > 2);
@@ -103,8 +103,9 @@ impl Mask {
     /// To how many others a sample leads: what is reached through a straight neighbour does not count.
     fn degree(&self, at: usize) -> usize {
         let around = self.around(at);
-        let counts =
-            |way: usize| around[way] && (way % 2 == 0 || !around[(way + 7) % 8] && !around[(way + 1) % 8]);
+        let counts = |way: usize| {
+            around[way] && (way.is_multiple_of(2) || !around[(way + 7) % 8] && !around[(way + 1) % 8])
+        };
         (0..8).filter(|&way| counts(way)).count()
     }
 
@@ -137,11 +138,7 @@ fn is_rim(around: [bool; 8], second: bool) -> bool {
     let count = around.iter().filter(|&&inked| inked).count();
     let begins = (0..8).filter(|&way| !around[way] && around[(way + 1) % 8]).count();
     let [up, right, down, left] = [around[0], around[2], around[4], around[6]];
-    let is_free = if second {
-        !(up && right && left) && !(up && down && left)
-    } else {
-        !(up && right && down) && !(right && down && left)
-    };
+    let is_free = if second { !(up && left && (right || down)) } else { !(right && down && (up || left)) };
     (2..=6).contains(&count) && begins == 1 && is_free
 }
 

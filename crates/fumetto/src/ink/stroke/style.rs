@@ -96,7 +96,7 @@ impl StrokeStyle {
 
 /// How often the hand has drawn anew by a frame.
 fn drawn_anew(stroke: &Stroke, frame: u32) -> u32 {
-    if stroke.boil == 0 { 0 } else { frame / stroke.boil }
+    frame.checked_div(stroke.boil).unwrap_or(0)
 }
 
 /// How far from a pixel of a picture `height_px` samples high anything may lie that the strokes of `object` there

@@ -118,7 +118,7 @@ fn straightest(segments: &[Segment], open: &[End]) -> Option<(End, End)> {
     let outward = |end: End| -> Vec3 {
         let [start, last] = segments[end / 2].ends;
         let along = (last - start).normalize_or_zero();
-        if end % 2 == 0 { along } else { -along }
+        if end.is_multiple_of(2) { along } else { -along }
     };
     let pairs = open.iter().enumerate().flat_map(|(at, &a)| open[at + 1..].iter().map(move |&b| (a, b)));
     let turned = pairs.filter(|(a, b)| a / 2 != b / 2).map(|(a, b)| (-outward(a).dot(outward(b)), a, b));

@@ -129,7 +129,7 @@ impl<'a> Finder<'a> {
     }
 
     /// Whether the surface, seen from outside, is hollow along the line of sight: then a contour lies behind what
-    /// it belongs to (radial curvature below zero; DeCarlo et al., "Suggestive Contours", 2003).
+    /// it belongs to (radial curvature below zero; `DeCarlo` et al., "Suggestive Contours", 2003).
     fn bends_inward(&self, corners: [(Vec3, Vec3, f32); 3]) -> bool {
         let [a, b, c] = corners;
         let (right, left) = (b.0 - a.0, c.0 - a.0);
