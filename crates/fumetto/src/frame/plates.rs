@@ -2,7 +2,7 @@
 
 use glam::Vec3;
 
-use super::{Painter, Setting};
+use super::{Drawn, Painter, Setting};
 use crate::{
     Player, Shot,
     cels::{Cel, cels},
@@ -10,7 +10,7 @@ use crate::{
     ink::INK_FORMAT,
     layers::Layers,
     shapes::puffs::Subject,
-    tone::{CEL_FORMAT, Canvas, Inked},
+    tone::{CEL_FORMAT, Inked},
 };
 
 /// One cel, sample by sample, row by row from the top.
@@ -32,9 +32,10 @@ pub(crate) struct Plate {
 }
 
 /// What is drawn of a cel before it is read back.
-struct Drawn {
+struct Unread {
     layers: Layers,
-    tones: Transient,
+    /// In colours of its own, where it is not in any picture.
+    tones: Option<Transient>,
     ink: Transient,
     edges: Option<Transient>,
     /// Alpha where lines are kept.
@@ -70,7 +71,7 @@ impl Painter {
         setting: &Setting<'_>,
         cel: &Cel,
         opaque: Option<&Layers>,
-    ) -> Drawn {
+    ) -> Unread {
         let room = self.room.as_ref().expect("room is made before a cel is painted");
         let (view, lights, pens) = setting.buffers(frame, &cel.members);
         let Player { puffs: scene, meshes, .. } = setting.player;
@@ -79,13 +80,8 @@ impl Painter {
         let filled = (&setting.player.volumes, &*cel.members, setting.view.size);
         let layers = self.fill(frame, subject, room, filled, opaque);
         let shadow = self.shadow(frame, subject, setting, room, &layers);
-        let own = frame.texture("tone.cel", layers.size, CEL_FORMAT);
-        let canvas = Canvas { view: &own, is_picture: false };
-        self.tone(frame, subject, setting, (cel, room), (&layers, &shadow), canvas);
-        let tones = self.veil.record(frame, setting.objects(cel), &layers, own);
-
-        let ink = self.ink(frame, subject, setting, &cel.members, (&layers, opaque, &room.bins));
-        let around = self.gather.record(frame, &ink, layers.size, setting.ink_length_px(&cel.members));
+        let seen = (&layers, &shadow, opaque);
+        let Drawn { tones, ink, around } = self.draw(frame, subject, setting, cel, seen, None);
         let kept = frame.texture("plate.kept", layers.size, CEL_FORMAT);
         frame.clear("plate.kept", Target::colour(&kept, Some(wgpu::Color::TRANSPARENT)));
         let inked = Inked { ink: &ink, around: &around, known: None };
@@ -98,11 +94,11 @@ impl Painter {
             self.vector.record(frame, subject, &self.compact, (&layers, &cel.members), &edges);
             edges
         });
-        Drawn { layers, tones, ink, edges, kept }
+        Unread { layers, tones, ink, edges, kept }
     }
 }
 
-impl Drawn {
+impl Unread {
     fn read(&self, gpu: &Gpu, cel: Cel) -> Result<Plate, GpuError> {
         let read = |texture: &Transient| read_texture(gpu, texture.texture());
         let pairs = |bytes: Vec<u8>| bytes.as_chunks().0.to_vec();
@@ -118,7 +114,7 @@ impl Drawn {
             size: self.layers.size.map(|side| side as usize),
             ids: bytemuck::pod_collect_to_vec(&read(&self.layers.id)?),
             depth: bytemuck::pod_collect_to_vec(&read(&self.layers.depth)?),
-            tones: read(&self.tones)?.as_chunks().0.to_vec(),
+            tones: self.tones.as_ref().map(&read).transpose()?.unwrap_or_default().as_chunks().0.to_vec(),
             ink,
             edges: self.edges.as_ref().map(&read).transpose()?.map(pairs).unwrap_or_default(),
         })

@@ -6,8 +6,8 @@
 //! their triangles, all others are traced likewise.
 
 mod borders;
+mod cel_lines;
 mod document;
-mod drawn;
 mod fills;
 mod fit;
 mod inked;
@@ -24,6 +24,7 @@ mod traced;
 pub use model::LineModel;
 
 use fumetto_formats::{Drawing, Paper};
+use fumetto_scene::Object;
 
 use crate::{Engine, Error, Player, Shot};
 
@@ -69,10 +70,15 @@ impl Engine {
         };
         let mut strokes = Vec::with_capacity(plates.len());
         for plate in &plates {
-            strokes.push(drawn::lines(&gpu, (player, shot), plate, options)?);
+            strokes.push(cel_lines::lines(&gpu, (player, shot), plate, options)?);
         }
         Ok(document::drawing(player, shot.size, plates.iter().zip(strokes), paper, options))
     }
+}
+
+/// All that is drawn in the scene's own look, by number: its objects, then the layers of detail in them.
+fn drawn(player: &Player) -> Vec<&Object> {
+    player.looks[0].drawn().iter().collect()
 }
 
 /// Size of the picture that shapes are traced in.

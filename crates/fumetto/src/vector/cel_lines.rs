@@ -3,6 +3,7 @@
 use super::{
     DrawingOptions,
     document::Stroke,
+    drawn,
     lines::{FirstLight, Sight, Solids, Spot, Subject},
     seen::Owners,
 };
@@ -38,7 +39,7 @@ pub(super) fn lines(
         let hides = Owners::is_triangle(id) && owners.part(id).is_some_and(|part| solids.parts[part].hides);
         !hides && plate.depth[sample] / sight.near_m > spot.near * (1.0 + TOLERANCE)
     };
-    let drawn = player.drawn();
+    let drawn = drawn(player);
     let light = FirstLight::of(player.scene());
     let subject = Subject { solids: &solids, sight: &sight, objects: &drawn, light, covered: &covered };
     Ok(subject.strokes(options.plotter))
