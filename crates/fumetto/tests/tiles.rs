@@ -20,7 +20,7 @@ const SMALL: Tiling = Tiling { side: 1, most: 0 };
 
 /// Share of pixels that may differ: a tile is projected by itself, and what lies within a rounding error of a
 /// pixel's middle may fall to either side.
-const DIFFERENT: f64 = 3e-5;
+const DIFFERENT: f64 = 4e-5;
 
 fn scenes() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes")

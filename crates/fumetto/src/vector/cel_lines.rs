@@ -3,7 +3,6 @@
 use super::{
     DrawingOptions,
     document::Stroke,
-    drawn,
     lines::{FirstLight, Sight, Solids, Spot, Subject},
     seen::Owners,
 };
@@ -39,7 +38,7 @@ pub(super) fn lines(
         let hides = Owners::is_triangle(id) && owners.part(id).is_some_and(|part| solids.parts[part].hides);
         !hides && plate.depth[sample] / sight.near_m > spot.near * (1.0 + TOLERANCE)
     };
-    let drawn = drawn(player);
+    let drawn = player.drawn();
     let light = FirstLight::of(player.scene());
     let subject = Subject { solids: &solids, sight: &sight, objects: &drawn, light, covered: &covered };
     Ok(subject.strokes(options.plotter))

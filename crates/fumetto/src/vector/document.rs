@@ -5,7 +5,7 @@ use fumetto_scene::{EdgeKind, Object};
 use kurbo::BezPath;
 
 use super::{
-    DrawingOptions, drawn,
+    DrawingOptions,
     inked::{inked, turns},
     regions::Labels,
     seen::{Owners, Tones},
@@ -121,7 +121,7 @@ impl Cel<'_> {
 
     /// The layer of lines: `strokes`, and those that are traced. `opacity` is that of the cel.
     fn lines(&self, mut strokes: Vec<Stroke>, opacity: f32) -> Folder {
-        let drawn = drawn(self.player);
+        let drawn = self.player.drawn();
         strokes.extend(self.traced_lines());
         strokes.retain(|stroke| self.is_wanted(self.outer(stroke.object)));
         // Silhouettes lie over all others, those of objects in their order.

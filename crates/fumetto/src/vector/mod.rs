@@ -76,11 +76,6 @@ impl Engine {
     }
 }
 
-/// All that is drawn in the scene's own look, by number: its objects, then the layers of detail in them.
-fn drawn(player: &Player) -> Vec<&Object> {
-    player.looks[0].drawn().iter().collect()
-}
-
 /// Size of the picture that shapes are traced in.
 fn traced_size(size: [u32; 2], limits: &wgpu::Limits) -> [u32; 2] {
     let [width, height] = size.map(f64::from);

@@ -158,5 +158,5 @@ fn they_are_told_and_refused_as_surfaces_are() {
     let stage = clouds(stage(), "huge", &[[0.0, 0.0, 0.0, 2.0]], &[fine]);
     assert_eq!(stage.scene().requirements()[0].details.len(), 1);
     let message = stage.play(&engine, Files::default()).err().unwrap().to_string();
-    assert!(message.contains("`huge`") && message.contains("triangles"), "{message}");
+    assert!(message.contains("`huge`") && message.contains("vertices"), "{message}");
 }

@@ -223,7 +223,7 @@ fn ink_belongs_to_its_look() {
     let ink = "ink = { on = true, colour = \"#000000\", width = { px = 8 }, inner = 1, lit_thinning = 0, shortest = 0 }";
     let stage = Stage { style: style(&["#e05020"], ink), ..Stage::default() };
     // A small ball before one that fills the picture, so that its outline lies on something.
-    let stage = stage.balls("ball", &[[0.0, 0.0, -30.0, 40.0], [0.0, 0.0, 4.0, 3.0]], "");
+    let stage = stage.balls("ball", &[[0.0, 0.0, -100.0, 100.0], [0.0, 0.0, 4.0, 3.0]], "");
     let keys = "drop = { at = [200, 0, 0], radius = 200, start = 200 }\nspread = { grain = 0, stiffness = 100 }\n\
                 inside = { ink = { on = false } }\noutside = \"own\"";
     let picture = settled(&paint(stage, keys));

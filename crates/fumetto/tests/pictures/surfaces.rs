@@ -257,7 +257,7 @@ fn what_the_device_cannot_hold_is_refused_by_name() {
     let engine = engine();
     let stage = Stage::default().surface("huge", &[[0.0, 0.0, 0.0, 1.0]], "subdivisions = 512", "");
     let message = stage.play(&engine, Files::default()).err().unwrap().to_string();
-    assert!(message.contains("`huge`") && message.contains("triangles"), "{message}");
+    assert!(message.contains("`huge`") && message.contains("vertices"), "{message}");
 }
 
 #[test]

@@ -9,7 +9,6 @@ use crate::{
     gpu::{Gpu, GpuError, read_items},
     ink::follows_edges,
     shapes::mesh::{Candidate, Triangle, bit, unpacked},
-    vector::drawn,
 };
 
 /// `Vertex` of `mesh.wgsl`.
@@ -48,7 +47,7 @@ impl Solids {
     /// Those that the objects that `members` numbers are drawn with. Waits for the device.
     pub(crate) fn read(gpu: &Gpu, player: &Player, members: &[usize]) -> Result<Self, GpuError> {
         let geometry = &player.geometry;
-        let drawn = drawn(player);
+        let drawn = player.drawn();
         let wanted = |object: usize| members.contains(&object) && any_line(drawn[object]);
         if !members.iter().any(|&object| wanted(object)) {
             return Ok(Self::default());

@@ -41,8 +41,8 @@ fn vertices_lie_on_the_surface_and_normals_are_its_gradient() {
         let off_m = value.abs() / gradient.length();
         assert!(off_m < 0.002 * 0.08, "{place} is {off_m} m off the surface");
         let outward = (-gradient).normalize_or_zero().as_vec3();
-        // A quarter of a degree: normals are those of where the last step began (`SHORT` of `vertices.wgsl`).
-        assert!(normal.distance(outward) < 4.4e-3, "{normal} should be {outward}");
+        // Half a degree: normals are those of where the last step began (`SHORT` of `vertices.wgsl`).
+        assert!(normal.distance(outward) < 8.8e-3, "{normal} should be {outward}");
     }
 }
 
