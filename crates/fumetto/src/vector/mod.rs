@@ -24,7 +24,6 @@ mod traced;
 pub use model::LineModel;
 
 use fumetto_formats::{Drawing, Paper};
-use fumetto_scene::Object;
 
 use crate::{Engine, Error, Player, Shot};
 

@@ -222,13 +222,15 @@ fn a_line_runs_along_the_border_with_the_width_that_it_should_have() {
 fn ink_belongs_to_its_look() {
     let ink = "ink = { on = true, colour = \"#000000\", width = { px = 8 }, inner = 1, lit_thinning = 0, shortest = 0 }";
     let stage = Stage { style: style(&["#e05020"], ink), ..Stage::default() };
-    // A small ball before one that fills the picture, so that its outline lies on something.
-    let stage = stage.balls("ball", &[[0.0, 0.0, -100.0, 100.0], [0.0, 0.0, 4.0, 3.0]], "");
+    // A small ball before a large one, so that its outline lies on something; the large one's own is farther out.
+    let stage = stage.balls("ball", &[[0.0, 0.0, -30.0, 40.0], [0.0, 0.0, 4.0, 3.0]], "");
     let keys = "drop = { at = [200, 0, 0], radius = 200, start = 200 }\nspread = { grain = 0, stiffness = 100 }\n\
                 inside = { ink = { on = false } }\noutside = \"own\"";
     let picture = settled(&paint(stage, keys));
     let black = |right: bool| {
-        let on_side = |&(x, _): &(u32, u32)| (x >= 264) == right && !(248..264).contains(&x);
+        let near = |at: u32| (64..448).contains(&at);
+        let on_side =
+            |&(x, y): &(u32, u32)| near(x) && near(y) && (x >= 272) == right && !(240..272).contains(&x);
         picture.places().filter(on_side).filter(|&(x, y)| picture.rgb(x, y) == [0; 3]).count()
     };
     assert!(black(false) > 1000, "{}", black(false));

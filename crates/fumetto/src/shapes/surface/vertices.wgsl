@@ -17,7 +17,7 @@
 const BEYOND: f32 = 0.25;
 // The second step is the last if it is as short as this, in cells. It leaves an error of its square, but the normal is
 // that of where it began.
-const SHORT: f32 = 0.02;
+const SHORT: f32 = 0.01;
 
 // Edges of one block, and where they are.
 struct Edges {

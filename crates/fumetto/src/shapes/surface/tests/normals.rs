@@ -36,14 +36,18 @@ fn vertices_lie_on_the_surface_and_normals_are_its_gradient() {
     let cloud = cloud();
     let mesh = surface(&cloud, THRESHOLD, 0.08);
     mesh.assert_closed();
+    let mut turned = Vec::new();
     for (&place, normal) in mesh.places.iter().zip(&mesh.normals) {
         let (value, gradient) = field(&cloud, place);
         let off_m = value.abs() / gradient.length();
         assert!(off_m < 0.002 * 0.08, "{place} is {off_m} m off the surface");
-        let outward = (-gradient).normalize_or_zero().as_vec3();
-        // Half a degree: normals are those of where the last step began (`SHORT` of `vertices.wgsl`).
-        assert!(normal.distance(outward) < 8.8e-3, "{normal} should be {outward}");
+        turned.push(normal.angle_between((-gradient).normalize_or_zero().as_vec3()).to_degrees());
     }
+    // Normals are those of where the last step began (`SHORT` of `vertices.wgsl`): where the surface bends within a
+    // cell, by so much.
+    let mean = turned.iter().sum::<f32>() / turned.len() as f32;
+    let most = turned.into_iter().fold(0.0, f32::max);
+    assert!(mean < 0.05 && most < 2.0, "normals are {mean} and at most {most} degrees off");
 }
 
 /// How far normals and triangles are from each other, as the mean of a cosine.
