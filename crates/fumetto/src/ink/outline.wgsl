@@ -31,7 +31,7 @@ struct Line {
     mark: u32,
 }
 
-// In 255ths.
+// In parts of 255.
 fn margin_at(texel: vec2f) -> f32 {
     let first = floor(texel);
     let share = texel - first;

@@ -15,7 +15,7 @@ struct Seen {
     picture: Picture,
     radius_px2: f32,
     distance: f32,
-    // In 255ths.
+    // In parts of 255.
     radius: f32,
     // More than this is inside.
     margin: f32,
