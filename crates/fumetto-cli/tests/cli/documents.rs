@@ -43,8 +43,9 @@ fn info_counts_what_the_scene_costs() {
 #[test]
 fn the_schema_is_that_of_scenes() {
     let folder = Folder::with_smoke();
-    let schema: Value = serde_json::from_str(&folder.run(&["schema"]).ends(0).out).unwrap();
-    assert_eq!(schema, fumetto_scene::schema());
+    // As text: numbers that are read again may be off by their last bit.
+    let schema = serde_json::to_string_pretty(&fumetto_scene::schema()).unwrap();
+    assert_eq!(folder.run(&["schema"]).ends(0).out.trim_end(), schema);
 }
 
 #[test]
