@@ -47,6 +47,12 @@ pub const MAX_PAINT_VOLUMES: u64 = 16_384;
 /// Most vertices of all paint's volumes: 64 MiB of them.
 pub const MAX_PAINT_VERTICES: u64 = 8_388_608;
 
+/// Most pours of all paint: every cell asks each of them.
+pub const MAX_PAINT_POURS: u64 = 1024;
+
+/// Most points of a radius of paint over time: each piece of a stroke keeps them.
+pub const MAX_PAINT_POINTS: usize = 256;
+
 /// Most parts into which a step is cut for paint that is stiff.
 pub const MAX_PAINT_SUBSTEPS: u32 = 1000;
 

@@ -1,6 +1,6 @@
 //! Which objects are drawn together.
 
-use fumetto_scene::{LightKind, Matter, Object, Scene, Shading};
+use fumetto_scene::{LightKind, Matter, Object, Scene, Shading, Style};
 use glam::Vec3;
 
 use crate::tone::MAX_OBJECTS;
@@ -39,17 +39,21 @@ fn is_pre_shaded(scene: &Scene, members: &[usize]) -> bool {
     let only_suns = scene.lights.iter().all(|light| matches!(light.kind, LightKind::Sun { .. }));
     let chosen = |&member: &usize| {
         let object = &scene.objects[member];
-        let style = &object.style;
-        let is_chosen = match style.shading {
-            Shading::PreShaded => true,
-            Shading::PerPixel => false,
-            // Then the two look alike, and copying is the faster.
-            Shading::Auto => style.form == 0.0 && style.clean_px == 0.0,
-        };
         let has_puffs = !matches!(object.matter, Matter::Mesh(_)) && object.shape.puffs().is_some();
-        is_chosen && style.suits_sprites() && has_puffs
+        // Of paint, each look is drawn from the same cel.
+        has_puffs && scene.styles_of(member).all(wants_sprites)
     };
     only_suns && scene.objects.len() <= MAX_OBJECTS && !members.is_empty() && members.iter().all(chosen)
+}
+
+fn wants_sprites(style: &Style) -> bool {
+    let is_chosen = match style.shading {
+        Shading::PreShaded => true,
+        Shading::PerPixel => false,
+        // Then the two look alike, and copying is the faster.
+        Shading::Auto => style.form == 0.0 && style.clean_px == 0.0,
+    };
+    is_chosen && style.suits_sprites()
 }
 
 fn is_opaque(object: &Object) -> bool {

@@ -2,7 +2,7 @@ use std::path::Path;
 
 use anyhow::Context as _;
 use fumetto_formats::{GifWriter, write_png};
-use fumetto_scene::{Background, Colour, Ramp, Scene};
+use fumetto_scene::{Background, Colour, EdgeKind, Ramp, Scene};
 
 use super::{DrawTile, Drawing, Picture, Plan};
 use crate::args::TargetKind;
@@ -84,14 +84,16 @@ impl Sink {
 /// The colours that someone picked, and that an animation's palette has to keep.
 fn flat_colours(scene: &Scene) -> Vec<[u8; 3]> {
     let mut picked: Vec<Colour> = Vec::new();
-    for object in &scene.objects {
-        if let Ramp::Tones(tones) = &object.style.ramp {
+    for style in (0..scene.objects.len()).flat_map(|object| scene.styles_of(object)) {
+        if let Ramp::Tones(tones) = &style.ramp {
             picked.extend(tones.iter().map(|tone| tone.colour));
         }
-        picked.extend(object.style.highlight.on.then_some(object.style.highlight.colour));
-        picked.extend(object.style.rim.on.then_some(object.style.rim.colour));
-        picked.push(object.style.ink.colour);
+        picked.extend(style.highlight.on.then_some(style.highlight.colour));
+        picked.extend(style.rim.on.then_some(style.rim.colour));
+        picked.extend(style.hatching.on.then_some(style.hatching.colour));
+        picked.extend(EdgeKind::ALL.map(|kind| style.ink.colour_of(kind)));
     }
+    picked.extend(scene.paints().filter_map(|(_, paint)| Some(paint.border.as_ref()?.colour)));
     if let Background::Colour(colour) = scene.background {
         picked.push(colour);
     }

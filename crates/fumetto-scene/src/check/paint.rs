@@ -6,7 +6,8 @@ use crate::file::{
 };
 use crate::fit::did_you_mean;
 use crate::limits::{
-    DISTANCE, MAX_PAINT_LAYERS, MAX_PAINT_SUBSTEPS, MAX_PAINT_VERTICES, MAX_PAINT_VOLUMES, SECONDS,
+    DISTANCE, MAX_PAINT_LAYERS, MAX_PAINT_POINTS, MAX_PAINT_POURS, MAX_PAINT_SUBSTEPS, MAX_PAINT_VERTICES,
+    MAX_PAINT_VOLUMES, SECONDS,
 };
 use crate::{Border, Brush, Cells, Drop, Growth, Look, Matter, Object, Paint, Pour, Spread, Style, Wash};
 
@@ -77,6 +78,11 @@ fn growth(at: &At<'_>, file: &GrowthFile) -> Growth {
         GrowthFile::One(radius) => vec![[0.0, *radius]],
         GrowthFile::Points(points) => points.clone(),
     };
+    if points.len() > MAX_PAINT_POINTS {
+        let message =
+            format!("a radius of {} points, but at most {MAX_PAINT_POINTS} are allowed", points.len());
+        at.error("too-many-points", message, "leave out points that lie between others");
+    }
     let mut last_secs = f32::NEG_INFINITY;
     for (i, &[secs, metres]) in points.iter().enumerate() {
         if let GrowthFile::Points(_) = file {
@@ -213,6 +219,12 @@ pub(super) fn enough_room(at: &At<'_>, objects: &[Object]) {
         (sum(|paint| paint.layers().into()), MAX_PAINT_LAYERS.into(), "layers", LAYERS_HELP),
         (sum(Paint::volumes), MAX_PAINT_VOLUMES, "volumes", VOLUMES_HELP),
         (sum(Paint::vertices), MAX_PAINT_VERTICES, "vertices", VERTICES_HELP),
+        (
+            sum(|paint| paint.pours.len() as u64),
+            MAX_PAINT_POURS,
+            "pours",
+            "join those that are near each other",
+        ),
     ];
     for (asked, most, what, help) in asked {
         if asked > most {

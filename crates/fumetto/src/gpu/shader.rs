@@ -1,4 +1,4 @@
-/// The linked and checked WGSL of one of the programs that `build.rs` lists.
+/// The linked and checked WGSL of one of the programs that `build/programs/` lists.
 macro_rules! shader {
     ($name:literal) => {
         wgpu::ShaderModuleDescriptor {

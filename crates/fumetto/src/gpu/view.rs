@@ -65,5 +65,5 @@ mod tests {
     use super::*;
     use crate::gpu::layout_test;
 
-    layout_test!(lies_as_its_twin: ViewUniform, "View" of "shapes/puffs/body" { view_from_world, world_from_view, size_px, focal_px, near, middle_px, first_px });
+    layout_test!(lies_as_its_twin: ViewUniform, "View" of "shapes/puffs/nearest" { view_from_world, world_from_view, size_px, focal_px, near, middle_px, first_px });
 }

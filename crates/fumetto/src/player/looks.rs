@@ -122,7 +122,8 @@ pub(super) fn load_strokes(gpu: &Gpu, scene: &Scene, assets: &dyn Assets) -> Res
     Ok(StrokeTextures::new(gpu, &images))
 }
 
-/// For each object the angle from which on edges are creases, where it wants lines along them in any look.
+/// For each object the angle from which on edges are creases, where it wants lines along them in any look: that of the
+/// first such look, for edges are found once for all.
 pub(super) fn crease_degs(scene: &Scene) -> Vec<Option<f32>> {
     let wanted = |ink: &Ink| ink.on && matches!(ink.method, InkMethod::Vector | InkMethod::Hybrid);
     let angle = |object| {

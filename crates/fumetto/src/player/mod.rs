@@ -39,7 +39,7 @@ use looks::{crease_degs, exaggerated_scales, has_strokes, inks, load_backdrop, l
 use matter::{note_on_nothing, play_matter, play_mesh, seed_of};
 use paints::notes_on_paint;
 use puffs::{atlas, check_room, place, variants_of};
-use surfaces::{add_surface, surfaces};
+use surfaces::{add_surface, has_contours, surfaces};
 use volumes::volumes;
 
 /// A scene at one moment, with all that it takes to draw it.
@@ -85,7 +85,8 @@ impl Player {
             notes.extend(note_on_nothing(object, &matter));
             match object.shape.surface() {
                 Some(surface) => {
-                    add_surface(&mut geometry, &scene, object, (surface, &object.style.ink), &matter);
+                    let has_lines = scene.styles_of(index as usize).any(|style| has_contours(&style.ink));
+                    add_surface(&mut geometry, &scene, object, (surface, has_lines), &matter);
                 }
                 None if matter.is_model() => {}
                 None => geometry.add_nothing(),
@@ -104,7 +105,7 @@ impl Player {
         let details = Details::new(&scene);
         for Layer { object, detail, .. } in details.layers() {
             let (object, matter) = (&scene.objects[*object], &objects[*object].matter);
-            add_surface(&mut geometry, &scene, object, (&detail.surface, &detail.ink), matter);
+            add_surface(&mut geometry, &scene, object, (&detail.surface, has_contours(&detail.ink)), matter);
         }
         for (index, object) in scene.objects.iter().enumerate() {
             if matches!(object.matter, Matter::Mesh(_)) && wants_shell(&scene, index) {

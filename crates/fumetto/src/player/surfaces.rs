@@ -18,15 +18,18 @@ pub(super) fn add_surface(
     geometry: &mut Geometry,
     scene: &Scene,
     object: &Object,
-    (surface, ink): (&Surface, &Ink),
+    (surface, has_lines): (&Surface, bool),
     matter: &PlayedMatter,
 ) {
-    let has_strokes = ink.stroke_of(EdgeKind::Silhouette).is_some();
-    let has_lines = ink.on && (ink.method == InkMethod::Vector || has_strokes);
     match plan(scene, object, surface, matter) {
         Some(plan) => geometry.add_surface(plan.room.vertices, plan.room.triangles, has_lines),
         None => geometry.add_nothing(),
     }
+}
+
+/// Whether a surface has lines along its contours.
+pub(super) fn has_contours(ink: &Ink) -> bool {
+    ink.on && (ink.method == InkMethod::Vector || ink.stroke_of(EdgeKind::Silhouette).is_some())
 }
 
 /// What a surface of an object's `matter` is made with.

@@ -1,0 +1,192 @@
+use super::Programs;
+
+pub(super) const PROGRAMS: Programs = &[
+    ("gpu/compact", &["gpu/compact"]),
+    (
+        "particles/step",
+        &[
+            "gpu/random",
+            "gpu/noise",
+            "gpu/basis",
+            "particles/state",
+            "particles/air",
+            "particles/motion",
+            "particles/vortex/tree",
+            "particles/vortex/induced",
+            "particles/vortex/moved",
+            "particles/step",
+        ],
+    ),
+    (
+        "particles/step_in_grid",
+        &[
+            "gpu/random",
+            "gpu/noise",
+            "gpu/basis",
+            "particles/state",
+            "particles/air",
+            "particles/grid/grid",
+            "particles/grid/around",
+            "particles/grid/sample",
+            "particles/grid/solid",
+            "particles/grid/moved",
+            "particles/step",
+        ],
+    ),
+    (
+        "particles/grid/guess_x",
+        &[
+            "particles/grid/grid",
+            "particles/grid/around",
+            "particles/grid/across_x",
+            "particles/grid/carry",
+            "particles/grid/guess",
+        ],
+    ),
+    (
+        "particles/grid/correct_x",
+        &[
+            "particles/grid/grid",
+            "particles/grid/around",
+            "particles/grid/across_x",
+            "particles/grid/carry",
+            "particles/grid/blocks",
+            "particles/grid/correct",
+        ],
+    ),
+    (
+        "particles/grid/guess_y",
+        &[
+            "particles/grid/grid",
+            "particles/grid/around",
+            "particles/grid/across_y",
+            "particles/grid/carry",
+            "particles/grid/guess",
+        ],
+    ),
+    (
+        "particles/grid/correct_y",
+        &[
+            "particles/grid/grid",
+            "particles/grid/around",
+            "particles/grid/across_y",
+            "particles/grid/carry",
+            "particles/grid/blocks",
+            "particles/grid/correct",
+        ],
+    ),
+    (
+        "particles/grid/guess_z",
+        &[
+            "particles/grid/grid",
+            "particles/grid/around",
+            "particles/grid/across_z",
+            "particles/grid/carry",
+            "particles/grid/guess",
+        ],
+    ),
+    (
+        "particles/grid/correct_z",
+        &[
+            "particles/grid/grid",
+            "particles/grid/around",
+            "particles/grid/across_z",
+            "particles/grid/carry",
+            "particles/grid/blocks",
+            "particles/grid/correct",
+        ],
+    ),
+    (
+        "particles/grid/busy",
+        &["particles/grid/grid", "particles/grid/blocks", "particles/grid/source", "particles/grid/busy"],
+    ),
+    (
+        "particles/grid/heat",
+        &["particles/grid/grid", "particles/grid/around", "particles/grid/blocks", "particles/grid/heat"],
+    ),
+    (
+        "particles/grid/feed",
+        &["particles/grid/grid", "particles/grid/blocks", "particles/grid/source", "particles/grid/feed"],
+    ),
+    (
+        "particles/grid/push",
+        &[
+            "gpu/random",
+            "gpu/noise",
+            "particles/air",
+            "particles/grid/grid",
+            "particles/grid/blocks",
+            "particles/grid/source",
+            "particles/grid/pushing",
+            "particles/grid/push",
+        ],
+    ),
+    ("particles/grid/curl", &["particles/grid/grid", "particles/grid/blocks", "particles/grid/curl"]),
+    (
+        "particles/grid/confine",
+        &["particles/grid/grid", "particles/grid/blocks", "particles/grid/pushing", "particles/grid/confine"],
+    ),
+    (
+        "particles/grid/ride",
+        &[
+            "gpu/random",
+            "particles/state",
+            "particles/grid/grid",
+            "particles/grid/around",
+            "particles/grid/sample",
+            "particles/grid/eddy",
+            "particles/grid/ride",
+        ],
+    ),
+    (
+        "particles/grid/stir",
+        &[
+            "particles/grid/grid",
+            "particles/grid/blocks",
+            "particles/grid/pushing",
+            "particles/grid/eddy",
+            "particles/grid/stir",
+        ],
+    ),
+    (
+        "particles/grid/divergence",
+        &[
+            "particles/grid/grid",
+            "particles/grid/pushing",
+            "particles/grid/pushed",
+            "particles/grid/divergence",
+        ],
+    ),
+    ("particles/grid/smooth", &["particles/grid/level", "particles/grid/smooth"]),
+    ("particles/grid/coarsen", &["particles/grid/level", "particles/grid/coarsen"]),
+    ("particles/grid/refine", &["particles/grid/level", "particles/grid/refine"]),
+    ("particles/grid/coarsest", &["particles/grid/level", "particles/grid/coarsest"]),
+    ("particles/grid/hold", &["particles/grid/grid", "particles/grid/solid", "particles/grid/hold"]),
+    ("particles/grid/project", &["particles/grid/grid", "particles/grid/pushing", "particles/grid/project"]),
+    (
+        "particles/vortex/rings",
+        &["gpu/random", "gpu/basis", "particles/vortex/vortex", "particles/vortex/rings"],
+    ),
+    (
+        "particles/vortex/order",
+        &["particles/vortex/vortex", "particles/vortex/tree", "particles/vortex/order"],
+    ),
+    ("particles/vortex/sort", &["particles/vortex/sort"]),
+    (
+        "particles/vortex/build",
+        &["particles/vortex/vortex", "particles/vortex/tree", "particles/vortex/build"],
+    ),
+    (
+        "particles/vortex/carry",
+        &[
+            "gpu/random",
+            "gpu/noise",
+            "particles/air",
+            "particles/motion",
+            "particles/vortex/vortex",
+            "particles/vortex/tree",
+            "particles/vortex/induced",
+            "particles/vortex/carry",
+        ],
+    ),
+];
