@@ -9,7 +9,7 @@ use fumetto_scene::{Report, Scene, SceneText, StyleChoice, presets};
 use crate::args::SceneArgs;
 use crate::console;
 use crate::exit::Stop;
-use crate::files::{SceneFolder, read_text};
+use fumetto_disk::{SceneFolder, read_text};
 
 /// A checked scene, and what was found on the way.
 pub(crate) struct Opened {

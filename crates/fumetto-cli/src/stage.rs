@@ -3,14 +3,14 @@
 use std::path::Path;
 
 use anyhow::Context as _;
-use fumetto::{DrawingOptions, Engine, Export, Layer, Player, Print, Shot, Tiling};
+use fumetto::{DrawingOptions, Engine, Export, Layer, Player, Print, Shot, Tiling, Trouble};
 use fumetto_formats::{Drawing, Grid, Image, is_sequence};
 use fumetto_scene::{Matter, Particle, Scene};
 
 use crate::console;
-use crate::files::SceneFolder;
-use crate::gpu::{self, Trouble};
+use crate::gpu;
 use crate::interrupt::Interrupt;
+use fumetto_disk::SceneFolder;
 
 /// Frames that are simulated before Ctrl-C is asked for and the device is waited for: few enough to
 /// stop within moments, enough to keep the device busy.
@@ -64,7 +64,7 @@ impl Stage {
         }
         self.engine.seek(&mut self.player, frame).with_context(|| self.name.clone())?;
         self.frame = frame;
-        self.trouble.check()
+        Ok(self.trouble.check()?)
     }
 
     /// The number of the drawing that `frame` shows.

@@ -20,6 +20,7 @@ mod model;
 pub mod presets;
 mod report;
 mod schema;
+pub mod starts;
 mod text;
 
 pub use load::{FORMAT, Resolve, SceneText, StyleChoice};

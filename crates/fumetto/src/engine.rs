@@ -98,6 +98,18 @@ impl Engine {
         Ok(player)
     }
 
+    /// Plays a changed scene in place of the one that `player` plays. What moves goes on where it is, unless the
+    /// change is to what moves; ask for a frame next. Where this fails, `player` is as it was.
+    ///
+    /// # Errors
+    /// As [`Engine::play`].
+    pub fn renew(&self, player: &mut Player, scene: Scene, assets: Box<dyn Assets>) -> Result<(), Error> {
+        let mut renewed = self.play(scene, assets)?;
+        renewed.take_over(player);
+        *player = renewed;
+        Ok(())
+    }
+
     /// Takes the scene to `frame`, forward from where it is or from the start. On twos, every other
     /// frame looks like the one before it.
     ///

@@ -52,7 +52,7 @@ pub use assets::Assets;
 pub use engine::{Engine, PICTURE_FORMAT, Shot};
 pub use error::Error;
 pub use export::Export;
-pub use gpu::{Gpu, GpuError, read_texture};
+pub use gpu::{Gpu, GpuError, Trouble, read_texture};
 pub use particles::{AirTimes, TooManyFacets};
 pub use player::{ImportedSize, Player, imported_size};
 pub use print::Print;

@@ -41,6 +41,8 @@ pub(crate) enum Command {
     Info(InfoArgs),
     /// Write a commented scene to start from.
     New(NewArgs),
+    /// Open the editor, where it is installed beside this program.
+    Edit(EditArgs),
     /// Print the JSON Schema of scene files, with which text editors complete and check them.
     Schema,
     /// Tell which graphics adapters there are, and what to install when there is none.
@@ -174,6 +176,12 @@ pub(crate) struct NewArgs {
     /// What to start from.
     #[arg(long, value_enum, default_value_t = Template::Smoke)]
     pub(crate) template: Template,
+}
+
+#[derive(Args, Debug)]
+pub(crate) struct EditArgs {
+    /// The scene file to open.
+    pub(crate) scene: Option<PathBuf>,
 }
 
 /// What a new scene starts from.

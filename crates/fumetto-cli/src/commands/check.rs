@@ -15,8 +15,8 @@ use fumetto_scene::{
 
 use crate::args::CheckArgs;
 use crate::console;
-use crate::files::SceneFolder;
 use crate::scene::{self, Opened};
+use fumetto_disk::SceneFolder;
 
 /// Broken files that are told of one sequence: whoever misses one frame often misses all.
 const PROBLEMS_A_SEQUENCE: usize = 3;

@@ -2,6 +2,7 @@
 
 mod check;
 mod doctor;
+mod edit;
 mod export;
 mod info;
 mod new;
@@ -20,6 +21,7 @@ pub(crate) fn run(command: Command) -> anyhow::Result<ExitCode> {
         Command::Check(args) => check::run(&args),
         Command::Info(args) => info::run(&args),
         Command::New(args) => new::run(&args),
+        Command::Edit(args) => edit::run(&args),
         Command::Schema => schema::run(),
         Command::Doctor => doctor::run(),
     }

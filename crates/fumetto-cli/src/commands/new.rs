@@ -5,10 +5,11 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use anyhow::Context as _;
+use fumetto_disk::Draft;
+use fumetto_scene::starts;
 
 use crate::args::{NewArgs, Template};
 use crate::console;
-use crate::output::Draft;
 
 pub(crate) fn run(args: &NewArgs) -> anyhow::Result<ExitCode> {
     let path = with_toml(&args.name);
@@ -25,9 +26,9 @@ pub(crate) fn run(args: &NewArgs) -> anyhow::Result<ExitCode> {
 
 fn text(template: Template) -> &'static str {
     match template {
-        Template::Smoke => include_str!("../../templates/smoke.toml"),
-        Template::Cloud => include_str!("../../templates/cloud.toml"),
-        Template::Explosion => include_str!("../../templates/explosion.toml"),
+        Template::Smoke => starts::SMOKE,
+        Template::Cloud => starts::CLOUD,
+        Template::Explosion => starts::EXPLOSION,
     }
 }
 

@@ -5,7 +5,7 @@ use std::path::Path;
 use fumetto::Print;
 use fumetto_formats::{Image, WriteError, write_png, write_png_bands};
 
-use crate::output::{self, Draft};
+use fumetto_disk::{self as disk, Draft};
 
 /// A picture on its way into a file.
 pub(crate) enum Picture {
@@ -30,8 +30,8 @@ impl Picture {
     ) -> anyhow::Result<()> {
         let path = Path::new(name);
         match self {
-            Self::Drawn(image) => output::write(path, |draft| write_png(image, draft)),
-            Self::Written(earlier) => output::write(path, |draft| copy(earlier, draft)),
+            Self::Drawn(image) => disk::write(path, |draft| write_png(image, draft)),
+            Self::Written(earlier) => disk::write(path, |draft| copy(earlier, draft)),
             Self::Tiles(print) => {
                 let mut draft = Draft::new(path)?;
                 write_png_bands(size, opaque, &mut draft, || next_band(print, draw_tile)).map_err(

@@ -6,7 +6,7 @@ use fumetto_scene::{Background, Colour, EdgeKind, Ramp, Scene};
 
 use super::{DrawTile, Drawing, Picture, Plan};
 use crate::args::TargetKind;
-use crate::output::{self, Draft};
+use fumetto_disk::{self as disk, Draft};
 
 /// Where finished frames go.
 pub(crate) enum Sink {
@@ -34,7 +34,7 @@ impl Sink {
                 Ok(Self::Animation(Box::new(gif)))
             }
             TargetKind::Picture | TargetKind::Sequence => {
-                output::check(Path::new(&plan.file(plan.frames.first)))?;
+                disk::check(Path::new(&plan.file(plan.frames.first)))?;
                 let opaque = matches!(
                     scene.background,
                     Background::Colour(_) | Background::Gradient { .. } | Background::Paper(_)
@@ -56,9 +56,7 @@ impl Sink {
             // The picture comes last: where it is, --resume can rely on its layers.
             Self::Pictures { opaque } => {
                 for (&layer, image) in plan.layers.iter().zip(&drawing.layers) {
-                    output::write(Path::new(&plan.layer_file(frame, layer)), |draft| {
-                        write_png(image, draft)
-                    })?;
+                    disk::write(Path::new(&plan.layer_file(frame, layer)), |draft| write_png(image, draft))?;
                 }
                 drawing.picture.write(&plan.file(frame), (plan.shot.size, *opaque), draw_tile)
             }

@@ -22,9 +22,17 @@ fn wait_until(is_so: impl Fn() -> bool) {
     }
 }
 
-fn interrupt(child: Child) -> Ran {
+fn interrupt(mut child: Child) -> Ran {
     let sent = Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
     assert!(sent.success());
+    let start = Instant::now();
+    while child.try_wait().unwrap().is_none() {
+        if start.elapsed() > PATIENCE {
+            child.kill().unwrap();
+            panic!("it goes on; is Ctrl-C ignored here, as `nohup` and a shell's `&` have it?");
+        }
+        sleep(Duration::from_millis(20));
+    }
     Ran::of(&child.wait_with_output().unwrap()).ends(130).says(&["interrupted"])
 }
 

@@ -9,6 +9,7 @@ mod pass;
 mod pool;
 mod readback;
 mod shader;
+mod trouble;
 mod view;
 
 pub use device::{Gpu, GpuError};
@@ -16,6 +17,7 @@ pub use device::{Gpu, GpuError};
 pub(crate) use layout::{assert_twins, layout_test};
 pub use readback::read_texture;
 pub(crate) use readback::{read_buffer, read_items};
+pub use trouble::Trouble;
 
 pub(crate) use compact::{Compact, DrawList, Listing};
 pub(crate) use device::{folded, linear_sampler, workgroups};

@@ -6,6 +6,7 @@ mod matter;
 mod obstacles;
 mod paints;
 mod puffs;
+mod renew;
 mod surfaces;
 mod volumes;
 

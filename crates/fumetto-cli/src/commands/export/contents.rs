@@ -1,5 +1,6 @@
 use std::path::Path;
 
+use fumetto_disk as disk;
 use fumetto_formats::{
     Drawing, Grid, Solid, VdbOptions, write_glb, write_mtl, write_obj, write_particles_csv,
     write_particles_ply, write_pdf, write_solids_ply, write_svg, write_vdb,
@@ -9,7 +10,6 @@ use serde_json::{Value, json};
 
 use super::{Plan, drawings};
 use crate::args::{Format, What};
-use crate::output;
 use crate::stage::Stage;
 
 /// Half floats are as exact as what rays go through.
@@ -60,19 +60,19 @@ impl Contents {
         let path = Path::new(file);
         match self {
             Self::Particles(particles) if plan.target.format == Format::Csv => {
-                output::write(path, |draft| write_particles_csv(particles, draft))
+                disk::write(path, |draft| write_particles_csv(particles, draft))
             }
-            Self::Particles(particles) => output::write(path, |draft| write_particles_ply(particles, draft)),
-            Self::Volumes(grids) => output::write(path, |draft| write_vdb(grids, PACKED, draft)),
+            Self::Particles(particles) => disk::write(path, |draft| write_particles_ply(particles, draft)),
+            Self::Volumes(grids) => disk::write(path, |draft| write_vdb(grids, PACKED, draft)),
             Self::Drawing(drawing) if plan.target.format == Format::Pdf => {
                 let page = std::slice::from_ref(&**drawing);
-                output::write(path, |draft| write_pdf(page, draft))
+                disk::write(path, |draft| write_pdf(page, draft))
             }
-            Self::Drawing(drawing) => output::write(path, |draft| write_svg(drawing, draft)),
+            Self::Drawing(drawing) => disk::write(path, |draft| write_svg(drawing, draft)),
             Self::Meshes { solids, .. } => match plan.target.format {
                 Format::Obj => write_obj_and_mtl(solids, path),
-                Format::Ply => output::write(path, |draft| write_solids_ply(solids, draft)),
-                _ => output::write(path, |draft| write_glb(solids, draft)),
+                Format::Ply => disk::write(path, |draft| write_solids_ply(solids, draft)),
+                _ => disk::write(path, |draft| write_glb(solids, draft)),
             },
         }
     }
@@ -129,6 +129,6 @@ fn solid_json(solid: &Solid) -> Value {
 fn write_obj_and_mtl(solids: &[Solid], path: &Path) -> anyhow::Result<()> {
     let library = path.with_extension("mtl");
     let name = library.file_name().unwrap_or_default().to_string_lossy().into_owned();
-    output::write(&library, |draft| write_mtl(solids, draft))?;
-    output::write(path, |draft| write_obj(solids, &name, draft))
+    disk::write(&library, |draft| write_mtl(solids, draft))?;
+    disk::write(path, |draft| write_obj(solids, &name, draft))
 }

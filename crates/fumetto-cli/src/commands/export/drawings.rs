@@ -3,14 +3,15 @@
 use std::path::Path;
 use std::time::Instant;
 
+use fumetto_disk as disk;
 use fumetto_formats::{Drawing, write_animated_svg, write_pdf};
 use serde_json::{Value, json};
 
 use super::Plan;
 use crate::args::Format;
+use crate::console;
 use crate::interrupt::Interrupt;
 use crate::stage::Stage;
-use crate::{console, output};
 
 /// An .svg that moves, or a .pdf with a page for each frame.
 pub(super) fn together(plan: &Plan, stage: &mut Stage, interrupt: &Interrupt) -> anyhow::Result<u64> {
@@ -33,9 +34,9 @@ pub(super) fn together(plan: &Plan, stage: &mut Stage, interrupt: &Interrupt) ->
     let path = Path::new(file);
     if plan.target.format == Format::Pdf {
         let pages: Vec<Drawing> = drawn.into_iter().map(|(_, drawing)| drawing).collect();
-        output::write(path, |draft| write_pdf(&pages, draft))?;
+        disk::write(path, |draft| write_pdf(&pages, draft))?;
     } else {
-        output::write(path, |draft| write_animated_svg(&drawn, 1.0 / f64::from(plan.fps), draft))?;
+        disk::write(path, |draft| write_animated_svg(&drawn, 1.0 / f64::from(plan.fps), draft))?;
     }
     let frames = plan.frames.len();
     console::say(&format!("wrote {file}: {frames} frames"));

@@ -8,6 +8,7 @@ use std::path::Path;
 use std::process::ExitCode;
 use std::time::Instant;
 
+use fumetto_disk as disk;
 use fumetto_formats::write_png;
 use serde_json::json;
 
@@ -16,14 +17,14 @@ use crate::args::{ExportArgs, What};
 use crate::interrupt::Interrupt;
 use crate::render::with_part;
 use crate::stage::Stage;
-use crate::{console, output, scene};
+use crate::{console, scene};
 
 pub(crate) fn run(args: &ExportArgs) -> anyhow::Result<ExitCode> {
     let what = plan::what(args)?;
     let opened = scene::open(&args.scene)?;
     let plan = Plan::new(args, what, &opened.scene)?;
     let interrupt = Interrupt::listen()?;
-    output::check(Path::new(&plan.file(plan.frames.first)))?;
+    disk::check(Path::new(&plan.file(plan.frames.first)))?;
     let mut stage = Stage::new(&args.scene.scene, opened.scene, opened.folder)?;
 
     let start = Instant::now();
@@ -48,7 +49,7 @@ fn sprites(plan: &Plan, stage: &Stage) -> anyhow::Result<u64> {
     let mut files = 0;
     for (part, image) in stage.atlas()? {
         let name = with_part(&plan.target.name, part);
-        output::write(Path::new(&name), |draft| write_png(&image, draft))?;
+        disk::write(Path::new(&name), |draft| write_png(&image, draft))?;
         console::say(&format!("wrote {name}: {} x {} pixels", image.width, image.height));
         plan.tell(&json!({ "file": name, "width": image.width, "height": image.height }))?;
         files += 1;

@@ -16,8 +16,8 @@ use fumetto_scene::{
 
 use crate::args::InfoArgs;
 use crate::console;
-use crate::files::SceneFolder;
 use crate::scene;
+use fumetto_disk::SceneFolder;
 
 pub(crate) fn run(args: &InfoArgs) -> anyhow::Result<ExitCode> {
     let opened = scene::open(&args.scene)?;

@@ -11,14 +11,18 @@ use anyhow::{Context as _, bail};
 use tempfile::{Builder, NamedTempFile};
 
 /// A file that does not have its name yet. Dropping it leaves nothing behind.
-pub(crate) struct Draft {
+#[derive(Debug)]
+pub struct Draft {
     file: BufWriter<NamedTempFile>,
     path: PathBuf,
 }
 
 impl Draft {
     /// Starts the file that will be `path`.
-    pub(crate) fn new(path: &Path) -> anyhow::Result<Self> {
+    ///
+    /// # Errors
+    /// When its folder is missing or refuses new files.
+    pub fn new(path: &Path) -> anyhow::Result<Self> {
         if path.is_dir() {
             bail!("cannot write {}: it is a folder; choose another name", path.display());
         }
@@ -28,7 +32,10 @@ impl Draft {
     }
 
     /// Gives the file its name, in place of any file that had it.
-    pub(crate) fn publish(self) -> anyhow::Result<()> {
+    ///
+    /// # Errors
+    /// When the disk is full or fails; the file that had the name stays.
+    pub fn publish(self) -> anyhow::Result<()> {
         let path = self.path.clone();
         let failed = || format!("cannot write {}", path.display());
         let file = self.settle().with_context(failed)?;
@@ -37,7 +44,10 @@ impl Draft {
     }
 
     /// Gives the file its name, unless another file has it.
-    pub(crate) fn publish_new(self) -> anyhow::Result<()> {
+    ///
+    /// # Errors
+    /// When another file has it, or the disk is full or fails.
+    pub fn publish_new(self) -> anyhow::Result<()> {
         let path = self.path.clone();
         let file = self.settle().with_context(|| format!("cannot write {}", path.display()))?;
         file.persist_noclobber(&path).map(drop).map_err(|error| match error.error.kind() {
@@ -67,7 +77,10 @@ impl Write for Draft {
 }
 
 /// Writes a whole file.
-pub(crate) fn write<E>(path: &Path, fill: impl FnOnce(&mut Draft) -> Result<(), E>) -> anyhow::Result<()>
+///
+/// # Errors
+/// What `fill` says, or when the file cannot be written; the file that had the name stays.
+pub fn write<E>(path: &Path, fill: impl FnOnce(&mut Draft) -> Result<(), E>) -> anyhow::Result<()>
 where
     E: std::error::Error + Send + Sync + 'static,
 {
@@ -77,7 +90,10 @@ where
 }
 
 /// Finds out early whether `path` can be written, before hours are spent on what goes there.
-pub(crate) fn check(path: &Path) -> anyhow::Result<()> {
+///
+/// # Errors
+/// When it cannot.
+pub fn check(path: &Path) -> anyhow::Result<()> {
     Draft::new(path).map(drop)
 }
 

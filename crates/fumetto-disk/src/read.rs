@@ -13,7 +13,10 @@ const MAX_TEXT_BYTES: u64 = 64 << 20;
 const MAX_ASSET_BYTES: u64 = 1 << 30;
 
 /// The text of a scene or style file that the user names; it may be a pipe.
-pub(crate) fn read_text(path: &Path) -> io::Result<String> {
+///
+/// # Errors
+/// When there is none, it cannot be read, is too long or no UTF-8.
+pub fn read_text(path: &Path) -> io::Result<String> {
     if fs::metadata(path)?.is_dir() {
         return Err(io::Error::new(io::ErrorKind::IsADirectory, "it is a folder"));
     }
@@ -43,18 +46,22 @@ fn too_long(limit: u64) -> io::Error {
 
 /// The files beside a scene file.
 #[derive(Clone, Debug)]
-pub(crate) struct SceneFolder {
+pub struct SceneFolder {
     folder: PathBuf,
 }
 
 impl SceneFolder {
     /// The folder that `scene` lies in.
-    pub(crate) fn of(scene: &Path) -> Self {
+    #[must_use]
+    pub fn of(scene: &Path) -> Self {
         Self { folder: scene.parent().unwrap_or(Path::new("")).to_owned() }
     }
 
     /// The text of the style file that the scene calls `path`.
-    pub(crate) fn read_text(&self, path: &str) -> io::Result<String> {
+    ///
+    /// # Errors
+    /// When there is no such regular file, it cannot be read, is too long or no UTF-8.
+    pub fn read_text(&self, path: &str) -> io::Result<String> {
         text(self.read_file(path, MAX_TEXT_BYTES)?)
     }
 

@@ -1,0 +1,10 @@
+//! Files on a disk: the scene and what it names are read within bounds; whatever is written appears whole or not at
+//! all.
+//!
+//! The engine opens no files. What runs in a browser goes without this crate.
+
+mod read;
+mod write;
+
+pub use read::{SceneFolder, read_text};
+pub use write::{Draft, check, write};

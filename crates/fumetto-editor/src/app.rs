@@ -1,0 +1,213 @@
+//! The window: what is shown where, and what is done about it.
+
+use egui::{CentralPanel, Context, Panel, Ui};
+use fumetto_scene::edit::Path;
+use fumetto_scene::starts;
+
+use crate::clock::Clock;
+use crate::commands::{self, Command};
+use crate::examples::EXAMPLES;
+use crate::files::Files;
+use crate::panels::{self, palette::Palette};
+use crate::project::Project;
+use crate::request::{Request, Requests};
+use crate::settings::Settings;
+use crate::stage::Stage;
+use crate::view::Viewport;
+
+/// Under this name the settings are kept.
+const SETTINGS: &str = "settings";
+
+/// The editor.
+pub struct App {
+    project: Project,
+    /// Without a device there is nothing to see, but the text can still be edited.
+    stage: Option<Stage>,
+    /// The revision of the document that is played.
+    played: Option<u64>,
+    clock: Clock,
+    viewport: Viewport,
+    settings: Settings,
+    palette: Palette,
+    /// What the inspector shows.
+    selection: Path,
+    /// Where the text is to be shown.
+    jump: Option<std::ops::Range<usize>>,
+    /// What could not be done last.
+    refusal: Option<String>,
+    requests: Requests,
+}
+
+impl App {
+    /// Begins with the first example.
+    ///
+    /// # Errors
+    /// None today: the examples can be read.
+    pub fn new(
+        creation: &eframe::CreationContext<'_>,
+    ) -> Result<Self, Box<dyn std::error::Error + Send + Sync>> {
+        let first = &EXAMPLES[0];
+        let project = Project::new(first.name, first.text.to_owned(), first.files())?;
+        let settings: Settings =
+            creation.storage.and_then(|storage| eframe::get_value(storage, SETTINGS)).unwrap_or_default();
+        let context = &creation.egui_ctx;
+        let stage = creation.wgpu_render_state.clone().map(|render| Stage::new(render, context.clone()));
+        Ok(Self {
+            project,
+            stage,
+            played: None,
+            clock: Clock { pacing: settings.pacing, ..Clock::default() },
+            viewport: Viewport::default(),
+            settings,
+            palette: Palette::default(),
+            selection: Path::root(),
+            jump: None,
+            refusal: None,
+            requests: Requests::default(),
+        })
+    }
+
+    /// Opens the scene file at `path`.
+    ///
+    /// # Errors
+    /// When it cannot be read.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub fn open(&mut self, path: &std::path::Path) -> anyhow::Result<()> {
+        self.show(Project::open(path)?);
+        Ok(())
+    }
+
+    fn show(&mut self, project: Project) {
+        self.project = project;
+        self.played = None;
+        self.refusal = None;
+        self.selection = Path::root();
+        self.viewport.forget();
+        self.clock = Clock { pacing: self.settings.pacing, ..Clock::default() };
+    }
+
+    /// Plays what the document says by now, if it is without fault.
+    fn keep_up(&mut self) {
+        let revision = self.project.document().revision();
+        let (Some(stage), Some(scene)) = (&mut self.stage, self.project.scene()) else { return };
+        if self.played != Some(revision) {
+            self.played = Some(revision);
+            self.clock.set(&scene.time);
+            stage.play(scene.clone(), Box::new(self.project.files.clone()));
+        }
+    }
+
+    fn panels_ui(&mut self, ui: &mut Ui) {
+        let requests = &mut self.requests;
+        Panel::top("menu").show(ui, |ui| panels::menu::ui(ui, &self.project, &mut self.settings, requests));
+        Panel::bottom("timeline").show(ui, |ui| {
+            panels::timeline::ui(ui, &mut self.clock, self.stage.as_ref(), &mut self.settings, requests);
+        });
+        let others: Vec<&str> = self
+            .refusal
+            .as_deref()
+            .into_iter()
+            .chain(self.stage.as_ref().and_then(Stage::error))
+            .chain(self.stage.iter().flat_map(Stage::notes).map(String::as_str))
+            .collect();
+        if !others.is_empty() || !self.project.report().is_empty() {
+            Panel::bottom("problems").resizable(true).show(ui, |ui| {
+                egui::ScrollArea::vertical().max_height(120.0).auto_shrink([false, true]).show(ui, |ui| {
+                    panels::problems::ui(ui, self.project.report(), &others, requests);
+                });
+            });
+        }
+        if self.settings.text {
+            Panel::bottom("text").resizable(true).default_size(220.0).show(ui, |ui| {
+                panels::text::ui(ui, &self.project, &mut self.jump, requests);
+            });
+        }
+        CentralPanel::default().show(ui, |ui| {
+            if let Some(stage) = &mut self.stage {
+                let moment = (self.clock.frame(), self.clock.playing);
+                self.viewport.ui(ui, stage, moment, self.settings.navigation);
+            }
+        });
+    }
+
+    fn answer(&mut self, request: Request, ctx: &Context) {
+        match request {
+            Request::Edit { edit, gesture } => {
+                self.refusal =
+                    self.project.edit(&edit, gesture.as_deref()).err().map(|error| error.to_string());
+            }
+            Request::EndGesture => self.project.end_gesture(),
+            Request::Do(command) => self.obey(command, ctx),
+            Request::Select(path) => self.selection = path,
+            Request::OpenExample(index) => {
+                let example = &EXAMPLES[index];
+                match Project::new(example.name, example.text.to_owned(), example.files()) {
+                    Ok(project) => self.show(project),
+                    Err(error) => self.refusal = Some(error.to_string()),
+                }
+            }
+            Request::Seek(frame) => self.clock.seek(frame),
+            Request::ShowText(span) => {
+                self.settings.text = true;
+                self.jump = Some(span);
+            }
+        }
+    }
+
+    fn obey(&mut self, command: Command, ctx: &Context) {
+        match command {
+            Command::New => match Project::new("untitled.toml", starts::CLOUD.to_owned(), Files::default()) {
+                Ok(project) => self.show(project),
+                Err(error) => self.refusal = Some(error.to_string()),
+            },
+            Command::Undo => self.project.undo(),
+            Command::Redo => self.project.redo(),
+            Command::Play => self.clock.playing = !self.clock.playing,
+            Command::PreviousFrame => self.clock.step(-1),
+            Command::NextFrame => self.clock.step(1),
+            Command::FirstFrame => self.clock.seek(0),
+            Command::LastFrame => self.clock.seek(u32::MAX),
+            Command::SceneCamera => self.viewport.forget(),
+            Command::LookFrom(side) => {
+                if let Some(stage) = &self.stage {
+                    self.viewport.look_from(stage, side);
+                }
+            }
+            Command::ToggleTree => self.settings.tree ^= true,
+            Command::ToggleInspector => self.settings.inspector ^= true,
+            Command::ToggleStyles => self.settings.styles ^= true,
+            Command::ToggleText => self.settings.text ^= true,
+            Command::ToggleGrid => self.settings.grid ^= true,
+            Command::ToggleTimes => self.settings.times ^= true,
+            Command::ToggleTheme => {
+                let dark = ctx.theme() == egui::Theme::Dark;
+                ctx.set_theme(if dark { egui::Theme::Light } else { egui::Theme::Dark });
+            }
+            Command::Palette => self.palette.open(),
+            Command::Quit => ctx.send_viewport_cmd(egui::ViewportCommand::Close),
+        }
+    }
+}
+
+impl eframe::App for App {
+    fn ui(&mut self, ui: &mut Ui, _: &mut eframe::Frame) {
+        let ctx = ui.ctx().clone();
+        for command in commands::pressed(&ctx) {
+            self.requests.push(Request::Do(command));
+        }
+        (self.viewport.grid, self.viewport.times) = (self.settings.grid, self.settings.times);
+        self.clock.pacing = self.settings.pacing;
+        let shown = self.stage.as_ref().and_then(Stage::frame);
+        self.clock.tick(ctx.input(|input| input.stable_dt), shown);
+        self.keep_up();
+        self.panels_ui(ui);
+        self.palette.ui(&ctx, &mut self.requests);
+        for request in self.requests.take() {
+            self.answer(request, &ctx);
+        }
+    }
+
+    fn save(&mut self, storage: &mut dyn eframe::Storage) {
+        eframe::set_value(storage, SETTINGS, &self.settings);
+    }
+}

@@ -1,0 +1,23 @@
+//! The Fumetto editor: the same code in a window and in a browser tab.
+//!
+//! ```text
+//! keys, menus, panels ─▶ requests ─▶ document (text, undo) ─▶ scene ─▶ stage (engine, picture)
+//!       ▲                                                                     │
+//!       └────────────────── what is shown of all that ◀───────────────────────┘
+//! ```
+//!
+//! The document is what is saved and undone; the settings are the user's; all else can be made anew from these.
+
+mod app;
+mod clock;
+mod commands;
+mod examples;
+mod files;
+mod panels;
+mod project;
+mod request;
+mod settings;
+mod stage;
+mod view;
+
+pub use app::App;

@@ -1,0 +1,49 @@
+//! `fumetto-editor`: the editor in a window.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use clap::Parser;
+use eframe::egui_wgpu::{WgpuConfiguration, WgpuSetup, WgpuSetupCreateNew};
+use fumetto_editor::App;
+
+/// Draws smoke, clouds and fog as a cartoonist would.
+#[derive(Parser)]
+#[command(name = "fumetto-editor", version)]
+struct Args {
+    /// The scene to open.
+    scene: Option<PathBuf>,
+}
+
+fn main() -> anyhow::Result<()> {
+    let args = Args::parse();
+    let options = eframe::NativeOptions {
+        viewport: egui::ViewportBuilder::default().with_inner_size([1280.0, 800.0]).with_app_id("fumetto"),
+        wgpu_options: WgpuConfiguration { wgpu_setup: setup(), ..WgpuConfiguration::default() },
+        ..eframe::NativeOptions::default()
+    };
+    eframe::run_native(
+        "Fumetto",
+        options,
+        Box::new(move |creation| {
+            let mut app = App::new(creation)?;
+            if let Some(scene) = &args.scene {
+                app.open(scene)?;
+            }
+            Ok(Box::new(app))
+        }),
+    )
+    .map_err(|error| anyhow::anyhow!("cannot open a window: {error}"))
+}
+
+/// The limits that `WebGPU` promises everywhere, as all of Fumetto has them, so that what is seen here can be seen in a
+/// browser.
+fn setup() -> WgpuSetup {
+    WgpuSetup::CreateNew(WgpuSetupCreateNew {
+        device_descriptor: Arc::new(|_| wgpu::DeviceDescriptor {
+            label: Some("editor.device"),
+            ..wgpu::DeviceDescriptor::default()
+        }),
+        ..WgpuSetupCreateNew::without_display_handle()
+    })
+}

@@ -1,0 +1,7 @@
+//! The parts of the window round the picture. Each reads the state and asks for changes; none makes any.
+
+pub(crate) mod menu;
+pub(crate) mod palette;
+pub(crate) mod problems;
+pub(crate) mod text;
+pub(crate) mod timeline;

@@ -1,0 +1,173 @@
+//! The scene as it is played and seen: the engine's own picture, drawn whenever something has changed.
+
+mod canvas;
+mod pace;
+
+use std::time::Duration;
+
+use eframe::egui_wgpu::RenderState;
+use egui::TextureId;
+use fumetto::{Assets, Engine, Gpu, Player, Shot, Trouble};
+use fumetto_scene::{Camera, Scene};
+
+use self::{canvas::Canvas, pace::Pace};
+
+/// Frames that the simulation may go on at once while its picture is waited for: what lies farther away is reached in
+/// several goes, between which the hand is heard.
+const FRAMES_AT_A_TIME: u32 = 4;
+
+/// What is to be seen.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Wish {
+    pub(crate) frame: u32,
+    pub(crate) camera: Camera,
+    /// In pixels of the screen.
+    pub(crate) size: [u32; 2],
+    /// Whether something still moves, so that soon is better than fine.
+    pub(crate) in_motion: bool,
+}
+
+/// The device, the scene on it, and its picture.
+pub(crate) struct Stage {
+    engine: Engine,
+    trouble: Trouble,
+    canvas: Canvas,
+    pace: Pace,
+    player: Option<Player>,
+    /// The frame that the player is at.
+    frame: Option<u32>,
+    /// What the picture shows, and how coarsely.
+    shown: Option<(Wish, u32)>,
+    picture: Option<TextureId>,
+    wake: egui::Context,
+    error: Option<String>,
+}
+
+impl Stage {
+    /// On the device that egui draws with.
+    pub(crate) fn new(render: RenderState, wake: egui::Context) -> Self {
+        let gpu = Gpu {
+            device: render.device.clone(),
+            queue: render.queue.clone(),
+            adapter: render.adapter.get_info(),
+        };
+        let trouble = Trouble::of(&gpu);
+        Self {
+            engine: Engine::new(gpu),
+            trouble,
+            canvas: Canvas::new(render),
+            pace: Pace::default(),
+            player: None,
+            frame: None,
+            shown: None,
+            picture: None,
+            wake,
+            error: None,
+        }
+    }
+
+    /// Plays `scene` from now on. Where its files are missing or it does not fit the device, the scene before it
+    /// stays.
+    pub(crate) fn play(&mut self, scene: Scene, assets: Box<dyn Assets>) {
+        let played = match &mut self.player {
+            Some(player) => self.engine.renew(player, scene, assets),
+            None => self.engine.play(scene, assets).map(|player| self.player = Some(player)),
+        };
+        self.error = played.err().map(|error| with_causes(&error));
+        self.shown = None;
+        if self.error.is_none() {
+            // What moves may have begun anew; the engine knows.
+            self.frame = None;
+        }
+    }
+
+    /// The scene that is played.
+    pub(crate) fn scene(&self) -> Option<&Scene> {
+        self.player.as_ref().map(Player::scene)
+    }
+
+    /// What went wrong last, until something goes right.
+    pub(crate) fn error(&self) -> Option<&str> {
+        self.error.as_deref()
+    }
+
+    /// What the files that were read give reason to say.
+    pub(crate) fn notes(&self) -> &[String] {
+        self.player.as_ref().map_or(&[], Player::notes)
+    }
+
+    /// The frame that the picture shows.
+    pub(crate) fn frame(&self) -> Option<u32> {
+        self.shown.as_ref().map(|(wish, _)| wish.frame)
+    }
+
+    /// How long the last picture took.
+    pub(crate) fn took(&self) -> Option<Duration> {
+        self.pace.took()
+    }
+
+    /// A pixel of the picture is as wide as this many of the screen.
+    pub(crate) fn coarseness(&self) -> u32 {
+        self.shown.as_ref().map_or(1, |(_, coarseness)| *coarseness)
+    }
+
+    /// Brings the picture nearer to `wish`, if the device is free, and gives the picture as far as it has come.
+    pub(crate) fn show(&mut self, wish: &Wish) -> Option<TextureId> {
+        // Browsers do this by themselves.
+        let _ = self.engine.gpu().device.poll(wgpu::PollType::Poll);
+        if let Err(error) = self.trouble.check() {
+            self.error = Some(error.to_string());
+        }
+        if self.pace.is_free() && self.is_behind(wish) {
+            match self.draw(wish) {
+                Ok(()) => {}
+                Err(error) => {
+                    self.error = Some(with_causes(&error));
+                    // It will not go better the next time.
+                    self.shown = Some((wish.clone(), 1));
+                }
+            }
+        }
+        self.picture
+    }
+
+    fn is_behind(&self, wish: &Wish) -> bool {
+        self.shown.as_ref().is_none_or(|(shown, coarseness)| {
+            let same = Wish { in_motion: wish.in_motion, ..shown.clone() } == *wish;
+            !same || (*coarseness > 1 && !wish.in_motion)
+        })
+    }
+
+    fn draw(&mut self, wish: &Wish) -> Result<(), fumetto::Error> {
+        let Some(player) = &mut self.player else { return Ok(()) };
+        let next = match self.frame {
+            Some(frame) if frame <= wish.frame => wish.frame.min(frame + FRAMES_AT_A_TIME),
+            _ => wish.frame,
+        };
+        self.engine.seek(player, next)?;
+        self.frame = Some(next);
+        let is_there = next == wish.frame;
+        let coarseness = if wish.in_motion || !is_there { self.pace.coarseness() } else { 1 };
+        let antialias = if coarseness == 1 && !wish.in_motion { player.scene().output.antialias } else { 1 };
+        let shot = Shot {
+            camera: wish.camera.clone(),
+            size: wish.size.map(|side| side.div_ceil(coarseness).max(1)),
+            antialias,
+        };
+        let texture = self.canvas.texture(shot.size);
+        let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
+        self.engine.draw(player, &shot, &view)?;
+        self.picture = self.canvas.show();
+        self.shown = Some((Wish { frame: next, ..wish.clone() }, coarseness));
+        let wake = self.wake.clone();
+        let counts = wish.in_motion;
+        self.pace.begin(&self.engine.gpu().queue, counts, move || wake.request_repaint());
+        Ok(())
+    }
+}
+
+/// An error with what led to it.
+fn with_causes(error: &dyn std::error::Error) -> String {
+    let causes = std::iter::successors(error.source(), |cause| cause.source());
+    causes.fold(error.to_string(), |text, cause| format!("{text}: {cause}"))
+}

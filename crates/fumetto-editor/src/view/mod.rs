@@ -1,0 +1,10 @@
+//! The picture in the window, and the hand that turns it.
+
+mod navigation;
+mod orbit;
+mod overlay;
+mod viewport;
+
+pub(crate) use navigation::Navigation;
+pub(crate) use orbit::{Orbit, Side};
+pub(crate) use viewport::Viewport;

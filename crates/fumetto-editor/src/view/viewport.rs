@@ -1,0 +1,133 @@
+use egui::{Color32, CornerRadius, Rect, Response, Sense, StrokeKind, Ui, Vec2};
+use fumetto_scene::{Camera, Output};
+
+use super::{Navigation, Orbit, Side, overlay};
+use crate::stage::{Stage, Wish};
+
+/// Where the picture is seen from, and what is drawn over it.
+#[derive(Default)]
+pub(crate) struct Viewport {
+    /// The hand's own camera; without one, the scene's first.
+    camera: Option<Camera>,
+    pub(crate) grid: bool,
+    pub(crate) times: bool,
+    /// Seconds since the hand last moved the camera.
+    rest_secs: f32,
+}
+
+/// So long after the last move a picture is drawn fine.
+const REST_SECS: f32 = 0.15;
+
+impl Viewport {
+    /// The camera that is looked through.
+    pub(crate) fn camera(&self, stage: &Stage) -> Option<Camera> {
+        self.camera.clone().or_else(|| Some(stage.scene()?.cameras[0].clone()))
+    }
+
+    /// Looks through the scene's own camera again.
+    pub(crate) fn forget(&mut self) {
+        self.camera = None;
+    }
+
+    /// Whether the hand has moved away from the scene's camera.
+    pub(crate) fn is_free(&self) -> bool {
+        self.camera.is_some()
+    }
+
+    pub(crate) fn look_from(&mut self, stage: &Stage, side: Side) {
+        self.move_camera(stage, |orbit| orbit.look_from(side));
+    }
+
+    pub(crate) fn frame(&mut self, stage: &Stage, (centre, radius): (glam::Vec3, f32)) {
+        let aspect = stage.scene().map_or(1.0, |scene| aspect(&scene.output));
+        self.move_camera(stage, |orbit| orbit.frame(centre, radius, aspect));
+    }
+
+    fn move_camera(&mut self, stage: &Stage, moves: impl FnOnce(&mut Orbit<'_>)) {
+        let Some(mut camera) = self.camera(stage) else { return };
+        moves(&mut Orbit(&mut camera));
+        self.camera = Some(camera);
+        self.rest_secs = 0.0;
+    }
+
+    /// The picture at `frame`, as large as it fits.
+    pub(crate) fn ui(
+        &mut self,
+        ui: &mut Ui,
+        stage: &mut Stage,
+        (frame, playing): (u32, bool),
+        navigation: Navigation,
+    ) -> Response {
+        let (room, _) = ui.allocate_exact_size(ui.available_size(), Sense::hover());
+        let Some(mut camera) = self.camera(stage) else {
+            ui.painter().text(
+                room.center(),
+                egui::Align2::CENTER_CENTER,
+                "No scene to show yet",
+                egui::FontId::proportional(16.0),
+                ui.visuals().weak_text_color(),
+            );
+            return ui.interact(room, ui.id().with("picture"), Sense::hover());
+        };
+        let output = stage.scene().map_or([1, 1], |scene| scene.output.size);
+        let rect = fitted(room, output);
+        let picture = ui.interact(rect, ui.id().with("picture"), Sense::click_and_drag());
+        picture.widget_info(|| egui::WidgetInfo::labeled(egui::WidgetType::Image, true, "Picture"));
+        self.rest_secs += ui.input(|input| input.stable_dt).min(0.1);
+        if navigation.steer(ui, &picture, &mut camera) {
+            self.camera = Some(camera.clone());
+            self.rest_secs = 0.0;
+        }
+        let in_motion = playing || self.rest_secs < REST_SECS;
+        if in_motion {
+            ui.request_repaint();
+        }
+        let points = ui.pixels_per_point();
+        let size = [rect.width(), rect.height()].map(|side| ((side * points).round() as u32).max(1));
+        let wish = Wish { frame, camera: camera.clone(), size, in_motion };
+        if let Some(texture) = stage.show(&wish) {
+            let all = Rect::from_min_max(egui::pos2(0.0, 0.0), egui::pos2(1.0, 1.0));
+            ui.painter().image(texture, rect, all, Color32::WHITE);
+        }
+        ui.painter().rect_stroke(
+            rect,
+            CornerRadius::ZERO,
+            ui.visuals().widgets.noninteractive.bg_stroke,
+            StrokeKind::Outside,
+        );
+        let painter = ui.painter().with_clip_rect(rect);
+        if self.grid {
+            overlay::grid(&painter, &camera, rect);
+        }
+        if self.times {
+            self.times_ui(ui, stage, rect);
+        }
+        picture
+    }
+
+    fn times_ui(&self, ui: &Ui, stage: &Stage, rect: Rect) {
+        let took =
+            stage.took().map_or_else(String::new, |took| format!("{:.1} ms", 1e3 * took.as_secs_f64()));
+        let text = match stage.coarseness() {
+            1 => took,
+            coarseness => format!("{took}, one pixel of {}", coarseness * coarseness),
+        };
+        let at = rect.left_top() + Vec2::splat(8.0);
+        let font = egui::FontId::monospace(12.0);
+        let galley = ui.painter().layout_no_wrap(text, font, Color32::WHITE);
+        let back = Rect::from_min_size(at, galley.size()).expand(4.0);
+        ui.painter().rect_filled(back, CornerRadius::same(3), Color32::from_black_alpha(160));
+        ui.painter().galley(at, galley, Color32::WHITE);
+    }
+}
+
+fn aspect(output: &Output) -> f32 {
+    output.size[0] as f32 / output.size[1] as f32
+}
+
+/// The largest rectangle of the picture's shape in `room`.
+fn fitted(room: Rect, [width, height]: [u32; 2]) -> Rect {
+    let picture = egui::vec2(width as f32, height as f32);
+    let scale = (room.size() / picture).min_elem();
+    Rect::from_center_size(room.center(), scale * picture)
+}
