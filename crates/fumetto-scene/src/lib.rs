@@ -12,6 +12,7 @@
 //! This crate knows no GPU and opens no file.
 
 mod check;
+pub mod edit;
 pub mod file;
 mod fit;
 pub mod limits;

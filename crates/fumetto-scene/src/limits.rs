@@ -3,6 +3,15 @@
 use schemars::{Schema, transform::Transform};
 use serde_json::Value;
 
+/// Most bytes of a scene's text: a list of half a million particles.
+pub const MAX_TEXT_BYTES: usize = 16 << 20;
+
+/// Most steps that can be undone.
+pub const MAX_HISTORY_STEPS: usize = 1000;
+
+/// Most bytes of text that are kept for undoing.
+pub const MAX_HISTORY_BYTES: usize = 64 << 20;
+
 /// Bytes of simulation state a particle takes on the GPU.
 pub const PARTICLE_BYTES: u64 = 64 + 32;
 

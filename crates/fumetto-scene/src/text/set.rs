@@ -1,5 +1,6 @@
 //! `--set path=value`: edits of the tree before it is read.
 
+use super::path::{PathStep, parse_path};
 use super::{Entry, Node, Place, Table, Value, parse_value};
 use crate::fit::did_you_mean;
 use crate::report::{Log, Severity};
@@ -47,19 +48,9 @@ struct Failure {
     help: String,
 }
 
-/// One step of a path: `eye`, `smoke` or `[0]`.
-struct Step<'a> {
-    name: &'a str,
-    at: usize,
-    is_index: bool,
-}
-
-impl<'a> Edit<'a> {
+impl Edit<'_> {
     fn apply(&self, root: &mut Node) -> Result<(), Failure> {
-        if self.path.is_empty() {
-            return Err(self.fail(0, 0, "the path is empty", "write it as in `--set camera.fov=30`"));
-        }
-        let steps = self.steps()?;
+        let steps = parse_path(self.path).map_err(|bad| self.fail(bad.at, bad.len, bad.message, bad.help))?;
         let Some((last, parents)) = steps.split_last() else { return Ok(()) };
         let mut node = root;
         for (i, step) in parents.iter().enumerate() {
@@ -67,7 +58,7 @@ impl<'a> Edit<'a> {
         }
         let value = self.value();
         if let (Value::Table(table), false) = (&mut node.value, last.is_index) {
-            let (key, key_place) = (last.name.to_owned(), self.place(last.at, last.name.len()));
+            let (key, key_place) = (last.name.to_string(), self.place(last.at, last.len));
             table.insert(Entry { key, key_place, node: value });
         } else {
             *self.enter(node, last, false)? = value;
@@ -76,8 +67,13 @@ impl<'a> Edit<'a> {
     }
 
     /// Goes one step down, making a table where there is nothing yet.
-    fn enter<'n>(&self, node: &'n mut Node, step: &Step<'_>, indexed: bool) -> Result<&'n mut Node, Failure> {
-        let place = self.place(step.at, step.name.len());
+    fn enter<'n>(
+        &self,
+        node: &'n mut Node,
+        step: &PathStep<'_>,
+        indexed: bool,
+    ) -> Result<&'n mut Node, Failure> {
+        let place = self.place(step.at, step.len);
         let kind = node.type_name();
         // `camera[0]` also names a lone `[camera]`.
         if step.is_index && step.name == "0" && node.as_table().is_some() {
@@ -88,12 +84,12 @@ impl<'a> Edit<'a> {
                 (format!("there is no element {}", step.name), "only element 0 exists here".to_owned())
             }
             Value::Table(table) => {
-                if table.get(step.name).is_none() && !indexed {
+                if table.get(&step.name).is_none() && !indexed {
                     let node = Node { place: place.clone(), value: Value::Table(Table::default()) };
-                    let (key, key_place) = (step.name.to_owned(), place.clone());
+                    let (key, key_place) = (step.name.to_string(), place.clone());
                     table.insert(Entry { key, key_place, node });
                 }
-                match table.get_mut(step.name) {
+                match table.get_mut(&step.name) {
                     Some(node) => return Ok(node),
                     None => (
                         format!("there is no `{}` to take an element of", step.name),
@@ -111,31 +107,6 @@ impl<'a> Edit<'a> {
             ),
         };
         Err(Failure { place, message, help })
-    }
-
-    fn steps(&self) -> Result<Vec<Step<'a>>, Failure> {
-        let mut steps = Vec::new();
-        let mut at = 0;
-        for part in self.path.split('.') {
-            let (name, indices) = part.split_at(part.find('[').unwrap_or(part.len()));
-            if name.is_empty() {
-                let help = "write it as in `--set object.smoke.opacity=0.5`";
-                return Err(self.fail(at, part.len(), "a name is missing in the path", help));
-            }
-            steps.push(Step { name, at, is_index: false });
-            let mut index_at = at + name.len();
-            for index in indices.split_inclusive(']') {
-                let digits = index.strip_prefix('[').and_then(|rest| rest.strip_suffix(']'));
-                let Some(digits) = digits.filter(|digits| digits.parse::<usize>().is_ok()) else {
-                    let help = "write indices as in `camera.eye[0]`, counted from 0";
-                    return Err(self.fail(index_at, index.len(), "this is not an index", help));
-                };
-                steps.push(Step { name: digits, at: index_at + 1, is_index: true });
-                index_at += index.len();
-            }
-            at += part.len() + 1;
-        }
-        Ok(steps)
     }
 
     /// The value as TOML; what is no TOML is meant as a string, so that shells need no double quotes.
@@ -157,10 +128,10 @@ impl<'a> Edit<'a> {
 }
 
 /// The element that a step names, by number or by its own `name`; or a message and a help line.
-fn find(items: &[Node], step: &Step<'_>) -> Result<usize, (String, String)> {
+fn find(items: &[Node], step: &PathStep<'_>) -> Result<usize, (String, String)> {
     let name_of = |item: &Node| item.as_table()?.get("name")?.as_str().map(str::to_owned);
     let names: Vec<String> = items.iter().filter_map(name_of).collect();
-    let by_name = || items.iter().position(|item| name_of(item).as_deref() == Some(step.name));
+    let by_name = || items.iter().position(|item| name_of(item).as_deref() == Some(&*step.name));
     if let Some(index) = by_name().filter(|_| !step.is_index) {
         return Ok(index);
     }
@@ -176,7 +147,7 @@ fn find(items: &[Node], step: &Step<'_>) -> Result<usize, (String, String)> {
         }
         Err(_) => {
             let names: Vec<&str> = names.iter().map(String::as_str).collect();
-            Err((format!("nothing here is named `{}`", step.name), did_you_mean(step.name, &names)))
+            Err((format!("nothing here is named `{}`", step.name), did_you_mean(&step.name, &names)))
         }
     }
 }
