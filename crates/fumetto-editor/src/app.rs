@@ -184,6 +184,8 @@ impl App {
                 ctx.set_theme(if dark { egui::Theme::Light } else { egui::Theme::Dark });
             }
             Command::Palette => self.palette.open(),
+            // PLACEHOLDER
+            Command::Open | Command::Save | Command::SaveAs | Command::Duplicate | Command::Delete | Command::FrameAll | Command::FrameSelected | Command::KeepView | Command::Render | Command::Export => {}
             Command::Quit => ctx.send_viewport_cmd(egui::ViewportCommand::Close),
         }
     }

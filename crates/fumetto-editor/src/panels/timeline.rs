@@ -1,6 +1,6 @@
 //! The clock's controls and the bar of frames.
 
-use egui::{Sense, Ui, WidgetInfo, WidgetType};
+use egui::{Sense, Role, Ui, WidgetInfo};
 
 use crate::clock::{Clock, Pacing};
 use crate::commands::Command;
@@ -29,7 +29,7 @@ pub(crate) fn ui(
         ];
         for (symbol, name, command) in buttons {
             let button = ui.button(symbol).on_hover_text(name);
-            button.widget_info(|| WidgetInfo::labeled(WidgetType::Button, true, name));
+            button.widget_info(|| WidgetInfo::labeled(Role::Button, true, name));
             if button.clicked() {
                 requests.push(Request::Do(command));
             }

@@ -1,5 +1,5 @@
 use fumetto_scene::Camera;
-use glam::{Quat, Vec3};
+use glam::Vec3;
 
 /// Nearer to straight up or down than this, in degrees, the camera would not know its sides.
 const POLE_DEG: f32 = 0.5;
@@ -103,7 +103,7 @@ pub(crate) fn axes(camera: &Camera) -> [Vec3; 3] {
     let back = (Vec3::from(camera.eye) - Vec3::from(camera.target)).normalize_or(Vec3::Z);
     let right = Vec3::from(camera.up)
         .cross(back)
-        .normalize_or_else(|| (Quat::from_rotation_y(0.5) * back).cross(back));
+        .normalize_or(back.any_orthonormal_vector());
     [right, back.cross(right), back]
 }
 

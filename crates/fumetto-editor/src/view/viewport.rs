@@ -67,12 +67,12 @@ impl Viewport {
                 egui::FontId::proportional(16.0),
                 ui.visuals().weak_text_color(),
             );
-            return ui.interact(room, ui.id().with("picture"), Sense::hover());
+            return ui.interact(room, ui.scope_id().with("picture"), Sense::hover());
         };
         let output = stage.scene().map_or([1, 1], |scene| scene.output.size);
         let rect = fitted(room, output);
-        let picture = ui.interact(rect, ui.id().with("picture"), Sense::click_and_drag());
-        picture.widget_info(|| egui::WidgetInfo::labeled(egui::WidgetType::Image, true, "Picture"));
+        let picture = ui.interact(rect, ui.scope_id().with("picture"), Sense::click_and_drag());
+        picture.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, "Picture"));
         self.rest_secs += ui.input(|input| input.stable_dt).min(0.1);
         if navigation.steer(ui, &picture, &mut camera) {
             self.camera = Some(camera.clone());
