@@ -77,6 +77,13 @@ impl App {
         Ok(())
     }
 
+    /// Whether the picture shows what it should, as fine as it gets.
+    #[must_use]
+    pub fn is_settled(&self) -> bool {
+        let is_played = self.played == Some(self.project.document().revision()) || self.project.scene().is_none();
+        is_played && self.stage.as_ref().is_none_or(|stage| self.viewport.is_settled(stage, self.clock.frame()))
+    }
+
     fn show(&mut self, project: Project) {
         self.project = project;
         self.played = None;

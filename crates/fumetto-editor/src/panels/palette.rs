@@ -22,7 +22,7 @@ impl Palette {
         if !self.open {
             return;
         }
-        let shown = egui::Modal::new(egui::Id::new("palette")).show(ctx, |ui| {
+        let shown = egui::Modal::new(egui::Id::unique("palette")).show(ctx, |ui| {
             ui.set_width(360.0);
             let field = ui.add(
                 egui::TextEdit::singleline(&mut self.sought)

@@ -16,6 +16,9 @@ use self::{canvas::Canvas, pace::Pace};
 /// several goes, between which the hand is heard.
 const FRAMES_AT_A_TIME: u32 = 4;
 
+/// How often the device is asked whether a picture is done.
+const POLL: Duration = Duration::from_millis(8);
+
 /// What is to be seen.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Wish {
@@ -101,6 +104,15 @@ impl Stage {
         self.shown.as_ref().map(|(wish, _)| wish.frame)
     }
 
+    /// Whether the picture is done, shows `frame` as `camera` sees it, and gets no finer.
+    pub(crate) fn shows(&self, frame: u32, camera: &Camera) -> bool {
+        !self.pace.is_busy()
+            && self
+                .shown
+                .as_ref()
+                .is_some_and(|(wish, _)| !wish.in_motion && wish.frame == frame && wish.camera == *camera)
+    }
+
     /// How long the last picture took.
     pub(crate) fn took(&self) -> Option<Duration> {
         self.pace.took()
@@ -128,13 +140,17 @@ impl Stage {
                 }
             }
         }
+        if self.pace.is_busy() {
+            // The device tells that it is done only to those who ask.
+            self.wake.request_repaint_after(POLL);
+        }
         self.picture
     }
 
     fn is_behind(&self, wish: &Wish) -> bool {
-        self.shown.as_ref().is_none_or(|(shown, coarseness)| {
+        self.shown.as_ref().is_none_or(|(shown, _)| {
             let same = Wish { in_motion: wish.in_motion, ..shown.clone() } == *wish;
-            !same || (*coarseness > 1 && !wish.in_motion)
+            !same || (shown.in_motion && !wish.in_motion)
         })
     }
 

@@ -58,6 +58,11 @@ impl Pace {
         true
     }
 
+    /// Whether a picture is under way.
+    pub(crate) fn is_busy(&self) -> bool {
+        self.under_way.is_some()
+    }
+
     /// Another picture was handed to the queue; `wake` is called when it is done. What is drawn at `coarseness` 1
     /// without need tells nothing about what moves.
     pub(crate) fn begin(&mut self, queue: &wgpu::Queue, counts: bool, wake: impl FnOnce() + Send + 'static) {

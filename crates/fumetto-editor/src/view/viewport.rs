@@ -43,6 +43,11 @@ impl Viewport {
         self.move_camera(stage, |orbit| orbit.frame(centre, radius, aspect));
     }
 
+    /// Whether the picture shows `frame` from here, as fine as it gets.
+    pub(crate) fn is_settled(&self, stage: &Stage, frame: u32) -> bool {
+        self.camera(stage).is_none_or(|camera| stage.shows(frame, &camera))
+    }
+
     fn move_camera(&mut self, stage: &Stage, moves: impl FnOnce(&mut Orbit<'_>)) {
         let Some(mut camera) = self.camera(stage) else { return };
         moves(&mut Orbit(&mut camera));

@@ -1,0 +1,54 @@
+//! The editor in a window that only tests see.
+
+use std::time::{Duration, Instant};
+
+use egui_kittest::{Harness, kittest::Queryable};
+use fumetto_editor::App;
+
+/// The slowest processor has drawn a picture by then.
+const PATIENCE: Duration = Duration::from_secs(60);
+
+/// The editor, just opened.
+pub(crate) struct Desk {
+    pub(crate) window: Harness<'static, App>,
+}
+
+impl Desk {
+    pub(crate) fn open() -> Self {
+        let window = Harness::builder()
+            .with_size([1280.0, 800.0])
+            .with_max_steps(4)
+            .wgpu()
+            .build_eframe(|creation| App::new(creation).expect("the first example opens"));
+        Self { window }
+    }
+
+    /// Lets time pass until something is so.
+    pub(crate) fn wait_until(&mut self, what: &str, is_so: impl Fn(&App) -> bool) {
+        let start = Instant::now();
+        while !is_so(self.window.state()) {
+            assert!(start.elapsed() < PATIENCE, "{what} did not happen");
+            self.window.step();
+        }
+        self.window.step();
+    }
+
+    /// The picture is there, as fine as it gets.
+    pub(crate) fn settle(&mut self) {
+        self.wait_until("a finished picture", App::is_settled);
+    }
+
+    pub(crate) fn click(&mut self, label: &str) {
+        self.window.get_by_label(label).click();
+        self.window.run_steps(2);
+    }
+
+    /// The pixels of the window, for a person or a comparison.
+    pub(crate) fn look(&mut self, name: &str) -> Vec<u8> {
+        let image = self.window.render().expect("the window can be drawn");
+        if let Some(folder) = std::env::var_os("FUMETTO_LOOK") {
+            image.save(std::path::Path::new(&folder).join(format!("{name}.png"))).expect("the folder is there");
+        }
+        image.into_raw()
+    }
+}

@@ -1,0 +1,4 @@
+//! The editor as a person uses it: what is on the screen is found by its labels, pressed and typed into.
+
+mod desk;
+mod view;

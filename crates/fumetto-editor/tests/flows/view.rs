@@ -1,0 +1,44 @@
+use egui::{PointerButton, Pos2};
+use egui_kittest::kittest::Queryable;
+
+use crate::desk::Desk;
+
+#[test]
+fn a_drag_turns_the_picture_and_a_key_turns_it_back() {
+    let mut desk = Desk::open();
+    desk.settle();
+    let first = desk.look("first");
+    let middle = desk.window.get_by_label("Picture").rect().center();
+    drag(&mut desk, middle, middle + egui::vec2(160.0, 40.0));
+    desk.settle();
+    let turned = desk.look("turned");
+    assert!(share_of_difference(&first, &turned) > 0.01);
+    desk.window.key_press(egui::Key::Num0);
+    desk.window.run_steps(2);
+    desk.settle();
+    let back = desk.look("back");
+    assert!(share_of_difference(&first, &back) < 0.001);
+}
+
+fn drag(desk: &mut Desk, from: Pos2, to: Pos2) {
+    desk.window.hover_at(from);
+    desk.window.step();
+    desk.window.event(egui::Event::PointerButton {
+        pos: from,
+        button: PointerButton::Primary,
+        pressed: true,
+        modifiers: egui::Modifiers::NONE,
+    });
+    for step in 1..=8 {
+        desk.window.hover_at(from.lerp(to, step as f32 / 8.0));
+        desk.window.step();
+    }
+    desk.window.drop_at(to);
+    desk.window.remove_cursor();
+    desk.window.step();
+}
+
+fn share_of_difference(a: &[u8], b: &[u8]) -> f32 {
+    let differing = a.chunks(4).zip(b.chunks(4)).filter(|(a, b)| a.iter().zip(*b).any(|(a, b)| a.abs_diff(*b) > 8));
+    differing.count() as f32 / (a.len() / 4) as f32
+}
