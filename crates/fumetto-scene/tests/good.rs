@@ -398,6 +398,17 @@ fn every_preset_loads() {
 }
 
 #[test]
+fn every_preset_tells_what_it_is_for() {
+    let every = || fumetto_scene::presets::groups().iter().flat_map(|group| group.presets);
+    for preset in every() {
+        let about = preset.about();
+        assert!(about.ends_with('.') && about.starts_with(char::is_uppercase), "{}: {about:?}", preset.name);
+        assert_eq!(every().filter(|other| other.name == preset.name).count(), 1, "{}", preset.name);
+    }
+    assert_eq!(fumetto_scene::presets::names().first(), Some(&"cartoon"), "the default comes first");
+}
+
+#[test]
 fn a_curve_is_linear_between_its_points_and_stays_outside() {
     let curve = Curve { points: vec![[0.2, 1.0], [0.6, 3.0]] };
     let at = [0.0, 0.2, 0.4, 0.6, 1.0].map(|age| curve.at(age));

@@ -8,8 +8,8 @@ use crate::limits;
 #[derive(Clone, Debug, Default, Deserialize, JsonSchema, PartialEq, Serialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct StyleFile {
-    /// A ready-made style to start from: "cartoon" (the default), "mcguire", "flat", "no-ink",
-    /// "engraving", "crosshatch", "pencil", "sketch", "brush" or "charcoal".
+    /// A ready-made style to start from: "cartoon" (the default), "comic", "engraving", "watercolour" or
+    /// another one.
     pub preset: Option<String>,
     /// A style file to start from, relative to the scene file; it holds the keys of this table.
     pub file: Option<String>,
