@@ -64,6 +64,9 @@ sed -n '/^```toml$/,/^```$/{/^```/!p;}' README.md >"$first"
     --set object.smoke.emitter.erosion_over_life=0 \
     --set 'object.smoke.emitter.opacity_over_life=[[0.5, 1], [1, 0]]'
 
+# A puff in every preset.
+draw styles styles.png
+
 # One setting at a time, on the same cloud, and the cloud as it is.
 draw cumulus unchanged.png "${small[@]}"
 for style in cartoon mcguire flat no-ink; do

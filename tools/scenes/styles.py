@@ -25,7 +25,8 @@ TILES = [
     ("storm", "#8d97a6"), ("dust", "#9fc3cf"), ("fire", "#2b2935"), ("soot", "#d9a877"),
 ]
 
-# Strokes follow the lines of models and surfaces: these puffs have a skin.
+# Strokes follow the lines of models and surfaces: these puffs have a skin, and leave nothing behind that is too small
+# for a stroke.
 SKINS = {"sketch", "brush", "charcoal", "crayon", "sumi", "chalk"}
 
 # A puff of smoke, and what it leaves behind: x, y, z, radius.
@@ -85,9 +86,8 @@ def cards():
         if colour:
             places.setdefault(colour, []).append(place(number))
     for number, (colour, middles) in enumerate(places.items()):
-        copies = "".join(
-            f"  {{ position = [{x:.2f}, {y:.2f}, -1.6], scale = [{CARD_SIZE[0]}, {CARD_SIZE[1]}, 1] }},\n" for x, y in middles
-        )
+        scale = f"scale = [{CARD_SIZE[0]}, {CARD_SIZE[1]}, 1]"
+        copies = "".join(f"  {{ position = [{x:.2f}, {y:.2f}, -1.6], {scale} }},\n" for x, y in middles)
         yield f"""
 [[object]]
 name = "card {number + 1}"
@@ -102,9 +102,12 @@ style = {{ tones = ["{colour}"], ink = {{ on = false }}, shadow = {{ on = false,
 def puffs():
     for number, (preset, _) in enumerate(TILES):
         left, low = place(number)
-        particles = [f"{{ center = [{left + x:.2f}, {low + y:.2f}, {z:.2f}], radius = {r:.2f} }}" for x, y, z, r in PUFF]
-        lines = "".join(f"  {', '.join(particles[k:k + 2])},\n" for k in range(0, len(particles), 2))
         skin = preset in SKINS
+        balls = PUFF[:-2] if skin else PUFF
+        particles = [
+            f"{{ center = [{left + x:.2f}, {low + y:.2f}, {z:.2f}], radius = {r:.2f} }}" for x, y, z, r in balls
+        ]
+        lines = "".join(f"  {', '.join(particles[k:k + 2])},\n" for k in range(0, len(particles), 2))
         shape = "shape = { surface = { threshold = 0.2, subdivisions = 72, size = 1.22 } }\n" if skin else ""
         yield f"""
 [[object]]
