@@ -141,8 +141,13 @@ for method in hybrid vector image shell angle; do
         --set "style.ink.method=$method" --set camera.fov=24 --set 'camera.target=[1.7,2.9,0]'
 done
 
+# The kinds of edges, and hidden ones.
+draw edges edges.png --size 480x360
+draw edges edges-hidden.png --size 480x360 --set style.ink.hidden=dashed
+
 # A drawing of shapes.
 "$fumetto" export scenes/cumulus.toml -o "$images/vector.svg" --size 960x540
+
 # The hand's tools, each along a cloud.
 draw strokes strokes.png "${large[@]}"
 
