@@ -1,4 +1,6 @@
 //! Ready-made styles, for a gallery to show and for scenes to name.
+//!
+//! A new one is a file in `presets/`, a name in a group here, and a tile in `tools/scenes/styles.py`.
 
 /// The preset that is used where a scene names none.
 pub(crate) const DEFAULT: &str = "cartoon";
