@@ -9,7 +9,10 @@ use fumetto_scene::{Report, Scene, SceneText, StyleChoice, presets};
 use crate::args::SceneArgs;
 use crate::console;
 use crate::exit::Stop;
-use fumetto_disk::{SceneFolder, read_text};
+use fumetto_disk::{SceneFolder, read_standard_input, read_text};
+
+/// In place of a scene file's name: the scene comes in by a pipe, and its files lie where the program runs.
+const STANDARD_INPUT: &str = "-";
 
 /// A checked scene, and what was found on the way.
 pub(crate) struct Opened {
@@ -32,8 +35,10 @@ pub(crate) fn open(args: &SceneArgs) -> anyhow::Result<Opened> {
 
 /// Opens a scene.
 pub(crate) fn load(args: &SceneArgs) -> anyhow::Result<Opened> {
-    let name = args.scene.display().to_string();
-    let toml = read_text(&args.scene).with_context(|| format!("cannot read the scene {name}"))?;
+    let by_pipe = args.scene == Path::new(STANDARD_INPUT);
+    let name = if by_pipe { "standard input".to_owned() } else { args.scene.display().to_string() };
+    let toml = if by_pipe { read_standard_input() } else { read_text(&args.scene) };
+    let toml = toml.with_context(|| format!("cannot read the scene {name}"))?;
     let style = args.style.as_deref().map(Style::named).transpose()?;
     let set: Vec<(String, String)> =
         args.set.iter().map(|setting| (setting.path.clone(), setting.value.clone())).collect();

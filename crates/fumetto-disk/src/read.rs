@@ -23,6 +23,14 @@ pub fn read_text(path: &Path) -> io::Result<String> {
     text(read_at_most(path, MAX_TEXT_BYTES)?)
 }
 
+/// The text of a scene that comes in by a pipe.
+///
+/// # Errors
+/// When standard input cannot be read, is too long or no UTF-8.
+pub fn read_standard_input() -> io::Result<String> {
+    text(at_most(io::stdin().lock(), MAX_TEXT_BYTES)?)
+}
+
 fn text(bytes: Vec<u8>) -> io::Result<String> {
     String::from_utf8(bytes).map_err(|error| {
         let text = &error.as_bytes()[..error.utf8_error().valid_up_to()];
@@ -35,8 +43,12 @@ fn text(bytes: Vec<u8>) -> io::Result<String> {
 
 /// Does not rely on the length that the file system tells: pipes have none.
 fn read_at_most(path: &Path, limit: u64) -> io::Result<Vec<u8>> {
+    at_most(File::open(path)?, limit)
+}
+
+fn at_most(file: impl io::Read, limit: u64) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
-    File::open(path)?.take(limit + 1).read_to_end(&mut bytes)?;
+    file.take(limit + 1).read_to_end(&mut bytes)?;
     if bytes.len() as u64 > limit { Err(too_long(limit)) } else { Ok(bytes) }
 }
 

@@ -242,8 +242,21 @@ impl Limit {
         above && below
     }
 
+    /// The least, which may itself be excluded.
+    #[must_use]
+    pub fn min(&self) -> f64 {
+        self.min
+    }
+
+    /// The greatest, which may itself be excluded.
+    #[must_use]
+    pub fn max(&self) -> f64 {
+        self.max
+    }
+
     /// The nearest value that is within closed ends.
-    pub(crate) fn clamped(&self, value: f64) -> f64 {
+    #[must_use]
+    pub fn clamped(&self, value: f64) -> f64 {
         value.clamp(self.min, self.max)
     }
 

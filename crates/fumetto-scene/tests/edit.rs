@@ -2,6 +2,7 @@
 #![expect(clippy::unwrap_used, reason = "a test that cannot set up should stop")]
 
 use fumetto_scene::edit::{Document, Edit, EditError, Item, Path, Step, Value};
+use fumetto_scene::{Scene, SceneText};
 
 fn path(text: &str) -> Path {
     text.parse().unwrap()
@@ -245,6 +246,9 @@ fn a_broken_text_is_kept_until_it_is_mended() {
 fn what_is_too_long_or_too_deep_is_refused() {
     let long = "#".repeat(fumetto_scene::limits::MAX_TEXT_BYTES + 1);
     assert!(matches!(Document::open(long.as_str()), Err(EditError::TooLong { .. })));
+    let text = SceneText { name: "scene.toml", toml: &long, ..SceneText::default() };
+    let report = Scene::load(&text, &mut |_| Err(String::new())).unwrap_err();
+    assert_eq!(report.problems()[0].code, "too-long");
     let mut document = Document::open("a = 1\n").unwrap();
     let edit = Edit::Set { path: path("a"), value: Value::String(long.clone()) };
     assert!(matches!(document.apply(&edit), Err(EditError::TooLong { .. })));
@@ -275,4 +279,19 @@ fn paths_are_read_as_they_are_written() {
     for bad in [".", "a.", "a..b", "[0]", "a[", "a[x]", "a[-1]", "a[0]b", "\"a", "a[99999999999999999999]"] {
         assert!(bad.parse::<Path>().is_err(), "{bad}");
     }
+}
+
+#[test]
+fn places_and_paths_tell_each_other() {
+    let scene = "seed = 7\n[camera]\neye = [0, 1.5, 6]\n[[object]]\nname = \"a\"\nink = { width = { px = 2.0 } }\n[[object]]\nname = \"b\"\nsub.key = 1\n";
+    let document = Document::open(scene).unwrap();
+    for at in ["seed", "camera.eye[1]", "object[0].ink.width.px", "object[1].name", "object[1].sub.key"] {
+        let span = document.span(&path(at)).unwrap();
+        assert_eq!(document.path_at(span.start), Some(path(at)));
+    }
+    assert_eq!(&scene[document.span(&path("object.b")).unwrap()], "[[object]]");
+    let at = |what: &str| document.path_at(scene.find(what).unwrap()).unwrap().to_string();
+    assert_eq!([at("eye"), at("width"), at("[camera]")], ["camera.eye", "object[0].ink.width", "camera"]);
+    assert_eq!(document.span(&path("nothing")), None);
+    assert_eq!(document.path_at(99999), None);
 }

@@ -52,7 +52,8 @@ pub(crate) enum Command {
 /// A scene and what is changed in it.
 #[derive(Args, Debug)]
 pub(crate) struct SceneArgs {
-    /// The scene file. Files that it names are looked for beside it.
+    /// The scene file, or `-` for one that comes in by a pipe. Files that it names are looked for beside it, or, of
+    /// `-`, where the program runs.
     pub(crate) scene: PathBuf,
     /// A preset or a style file, in place of the scene's `style` table.
     #[arg(long, value_name = "NAME|FILE")]

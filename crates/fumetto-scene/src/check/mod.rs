@@ -25,5 +25,6 @@ mod volume;
 mod vortex;
 
 pub(crate) use at::At;
+pub(crate) use object::is_key_of;
 pub(crate) use scene::scene;
 pub(crate) use style::Styles;

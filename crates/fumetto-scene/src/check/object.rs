@@ -92,6 +92,13 @@ const KEYS: [(&str, &[ObjectKind]); 25] = [
     ("outside", &[ObjectKind::Paint]),
 ];
 
+/// Whether objects of `kind` have `key`; those of a kind that is not known have all.
+pub(crate) fn is_key_of(key: &str, kind: Option<&str>) -> bool {
+    let owners = KEYS.iter().find(|(known, _)| *known == key).map(|(_, kinds)| *kinds);
+    let is_known = ObjectKind::ALL.iter().any(|known| kind == Some(kind_name(*known)));
+    !is_known || owners.is_none_or(|kinds| kinds.iter().any(|owner| kind == Some(kind_name(*owner))))
+}
+
 fn matter(at: &At<'_>, file: &ObjectFile, step_secs: f64) -> Matter {
     for (key, kinds) in KEYS {
         let at = at.key(key);

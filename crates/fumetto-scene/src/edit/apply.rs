@@ -38,10 +38,11 @@ pub(super) fn changed(syntax: &Syntax, edit: &Edit) -> Result<String, EditError>
     let mut draft = Draft::new(syntax);
     match edit {
         Edit::Set { path, value } => draft.set(path, value)?,
-        Edit::Remove { path } => match syntax.find(path.steps()) {
-            Some((steps, written)) => remove_item(&mut draft, &steps, written),
-            None => {}
-        },
+        Edit::Remove { path } => {
+            if let Some((steps, written)) = syntax.find(path.steps()) {
+                remove_item(&mut draft, &steps, written);
+            }
+        }
         Edit::Insert { list, index, item } => insert(&mut draft, list, *index, item)?,
         Edit::Duplicate { path } => duplicate(&mut draft, path)?,
         Edit::Move { path, to } => reorder(&mut draft, path, *to)?,

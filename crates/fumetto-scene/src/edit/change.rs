@@ -56,7 +56,7 @@ pub enum Edit {
         /// What the step is called in menus.
         label: String,
         /// One after the other.
-        edits: Vec<Edit>,
+        edits: Vec<Self>,
     },
 }
 

@@ -116,6 +116,11 @@ impl Document {
         self.saved.clone_from(&self.text);
     }
 
+    /// What was read of the text.
+    pub(super) fn syntax(&self) -> Option<&Syntax> {
+        self.syntax.as_ref().ok()
+    }
+
     fn step(&mut self, edit: &Edit, gesture: Option<&str>) -> Result<(), EditError> {
         if let Some((text, syntax)) = after(&self.text, &self.syntax, edit)?
             && text != self.text

@@ -19,15 +19,18 @@ mod array;
 mod blocks;
 mod change;
 mod document;
+pub mod form;
 mod history;
 mod inline;
 mod list;
+mod locate;
 mod names;
 mod path;
 mod sections;
 mod set;
 mod splices;
 mod syntax;
+pub mod templates;
 mod write;
 
 pub use change::{Edit, EditError, Item};

@@ -88,7 +88,7 @@ impl Syntax {
 }
 
 impl<'a> Written<'a> {
-    fn of(item: &'a Item) -> Option<Self> {
+    pub(super) fn of(item: &'a Item) -> Option<Self> {
         match item {
             Item::None => None,
             Item::Value(literal) => Some(Self::Literal(literal)),

@@ -8,7 +8,7 @@ use crate::limits;
 #[serde(untagged)]
 pub enum ImportedFile {
     /// The path of a .vdb, .nrrd or .npy file.
-    Path(String),
+    Path(#[schemars(extend("x-files" = ["vdb", "nrrd", "npy"]))] String),
     /// The file, and what in it is what.
     Read(Box<ReadFile>),
 }
@@ -19,6 +19,7 @@ pub enum ImportedFile {
 pub struct ReadFile {
     /// The path of a .vdb, .nrrd or .npy file, or of raw numbers, relative to the scene file; `####` or `{}` in
     /// its name numbers a sequence by frame.
+    #[schemars(extend("x-files" = ["vdb", "nrrd", "npy", "raw"]))]
     pub file: String,
     /// The grid of a .vdb file that is the density. Default: "density", or the first grid of single numbers.
     pub density: Option<String>,

@@ -40,6 +40,7 @@ pub struct ObjectFile {
     /// The box of air of `solver = "grid"`.
     pub grid: Option<GridFile>,
     /// The model of a `kind = "mesh"`: a .glb, .gltf or .obj file relative to the scene file.
+    #[schemars(extend("x-files" = ["glb", "gltf", "obj"]))]
     pub model: Option<String>,
     /// The volume of a `kind = "volume"`: a .vdb, .nrrd or .npy file relative to the scene file, or a table that
     /// also says how it is read; `####` or `{}` in its name numbers a sequence by frame.
@@ -106,12 +107,16 @@ pub enum ObjectKind {
     Paint,
 }
 
+impl ObjectKind {
+    pub(crate) const ALL: [Self; 5] = [Self::Smoke, Self::Cloud, Self::Mesh, Self::Volume, Self::Paint];
+}
+
 /// Particles that are given.
 #[derive(Clone, Debug, Deserialize, JsonSchema, PartialEq, Serialize)]
 #[serde(untagged)]
 pub enum ParticlesFile {
     /// The path of a .ply or .csv file.
-    Path(String),
+    Path(#[schemars(extend("x-files" = ["ply", "csv"]))] String),
     /// One by one.
     List(Vec<ParticleFile>),
 }

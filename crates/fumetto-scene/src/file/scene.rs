@@ -122,6 +122,7 @@ pub struct BackgroundFile {
     /// From the top edge to the bottom edge.
     pub gradient: Option<[ColourFile; 2]>,
     /// A PNG, scaled to cover the picture and centred; relative to the scene file.
+    #[schemars(extend("x-files" = ["png"]))]
     pub image: Option<String>,
     /// Paper of this colour, with its tooth.
     pub paper: Option<ColourFile>,

@@ -14,6 +14,7 @@ pub struct StrokeFile {
     /// "pencil" (the default), "brush", "charcoal", "chalk" or "dashes"; or a .png, relative to this file, whose
     /// columns run along the line and whose dark or opaque pixels are ink. Brings values of its own for the other
     /// keys.
+    #[schemars(extend("x-files" = ["png"], "examples" = ["pencil", "brush", "charcoal", "chalk", "dashes"]))]
     pub texture: Option<String>,
     /// How wide it is, across the line. Default: as the line.
     pub height: Option<WidthFile>,

@@ -2,7 +2,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{ExaggerateFile, GoochFile, HatchingFile, HighlightFile, InkFile, RampFile, RimFile, TonesFile};
-use crate::limits;
+use crate::{limits, presets};
 
 /// How an object is drawn. Keys that are left out keep what the preset, or the scene's style, says.
 #[derive(Clone, Debug, Default, Deserialize, JsonSchema, PartialEq, Serialize)]
@@ -10,8 +10,10 @@ use crate::limits;
 pub struct StyleFile {
     /// A ready-made style to start from: "cartoon" (the default), "comic", "engraving", "watercolour" or
     /// another one.
+    #[schemars(extend("examples" = presets::names()))]
     pub preset: Option<String>,
     /// A style file to start from, relative to the scene file; it holds the keys of this table.
+    #[schemars(extend("x-files" = ["toml"]))]
     pub file: Option<String>,
     /// Flat colours from dark to light, 1 to 32: each a colour, or `{ colour = …, from = … }` with the
     /// amount of light from which it is drawn; or `{ dark = …, light = …, steps = … }`. Excludes `ramp`

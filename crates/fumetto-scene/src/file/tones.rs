@@ -55,7 +55,7 @@ pub struct StepsFile {
 #[serde(untagged)]
 pub enum RampFile {
     /// A PNG, relative to this file; its middle row counts.
-    Path(String),
+    Path(#[schemars(extend("x-files" = ["png"]))] String),
     /// A PNG whose rows count too.
     Image(RampImageFile),
 }
@@ -65,6 +65,7 @@ pub enum RampFile {
 #[serde(deny_unknown_fields)]
 pub struct RampImageFile {
     /// A PNG, relative to this file.
+    #[schemars(extend("x-files" = ["png"]))]
     pub image: String,
     /// What its rows run along, from top to bottom. Without it the middle row counts.
     pub rows: Option<RampRowsFile>,

@@ -4,10 +4,17 @@ use toml::Spanned;
 use toml::de::{DeInteger, DeTable, DeValue};
 
 use super::{Array, Entry, Node, Place, Table, Value};
+use crate::limits::MAX_TEXT_BYTES;
 use crate::report::{Log, Severity};
 
 /// Reads a whole TOML text; reports every syntax error, and is `None` where there was one.
 pub(crate) fn parse_document(log: &Log, name: &str, text: &str) -> Option<Node> {
+    if text.len() > MAX_TEXT_BYTES {
+        let message = format!("this text has {} bytes, but at most {MAX_TEXT_BYTES} are allowed", text.len());
+        let help = "put particles into a .ply or .csv file of their own".to_owned();
+        log.report(Severity::Error, "too-long", name, None, message, Some(help));
+        return None;
+    }
     let id = log.add_text(name, text);
     let (document, errors) = DeTable::parse_recoverable(text);
     let intact = errors.is_empty();
