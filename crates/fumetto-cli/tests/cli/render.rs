@@ -3,7 +3,7 @@ use std::path::Path;
 
 use serde_json::Value;
 
-use crate::run::{Folder, SMOKE};
+use crate::run::{Folder, Ran, SMOKE};
 
 const PAPER: [u8; 4] = [0xf3, 0xea, 0xd8, 0xff];
 
@@ -183,4 +183,16 @@ fn prints_of_a_held_drawing_are_the_same() {
     assert_eq!([folder.png("s.2.png").width, folder.png("s.2.png").height], [8192, 8]);
     assert_eq!(folder.bytes("s.2.png"), folder.bytes("s.3.png"), "drawn on twos");
     assert_eq!(folder.files(), ["s.2.png", "s.3.png"]);
+}
+
+#[test]
+fn a_scene_may_come_by_a_pipe() {
+    let folder = Folder::with_smoke();
+    folder.run(&["render", "smoke.toml", "-o", "file.png"]).ends(0);
+    let scene = File::open(folder.path("smoke.toml")).unwrap();
+    let output = folder.command(&["render", "-", "-o", "pipe.png"]).stdin(scene).output().unwrap();
+    Ran::of(&output).ends(0);
+    assert_eq!(folder.bytes("file.png"), folder.bytes("pipe.png"));
+    let broken = folder.command(&["check", "-"]).stdin(File::open(folder.path("pipe.png")).unwrap()).output().unwrap();
+    Ran::of(&broken).ends(1).says(&["standard input", "UTF-8"]);
 }
