@@ -1,16 +1,17 @@
 //! The window: what is shown where, and what is done about it.
 
 use egui::{CentralPanel, Context, Panel, Ui};
-use fumetto_scene::edit::Path;
+use fumetto_scene::edit::{Document, Edit, Path};
 use fumetto_scene::starts;
 
 use crate::clock::Clock;
 use crate::commands::{self, Command};
 use crate::examples::EXAMPLES;
 use crate::files::Files;
-use crate::panels::{self, palette::Palette};
+use crate::panels::{self, palette::Palette, tree::Tree};
 use crate::project::Project;
 use crate::request::{Request, Requests};
+use crate::selection;
 use crate::settings::Settings;
 use crate::stage::Stage;
 use crate::view::Viewport;
@@ -29,6 +30,7 @@ pub struct App {
     viewport: Viewport,
     settings: Settings,
     palette: Palette,
+    tree: Tree,
     /// What the inspector shows.
     selection: Path,
     /// Where the text is to be shown.
@@ -56,10 +58,11 @@ impl App {
             project,
             stage,
             played: None,
-            clock: Clock { pacing: settings.pacing, ..Clock::default() },
+            clock: Clock::new(settings.pacing),
             viewport: Viewport::default(),
             settings,
             palette: Palette::default(),
+            tree: Tree::default(),
             selection: Path::root(),
             jump: None,
             refusal: None,
@@ -89,8 +92,9 @@ impl App {
         self.played = None;
         self.refusal = None;
         self.selection = Path::root();
+        self.tree = Tree::default();
         self.viewport.forget();
-        self.clock = Clock { pacing: self.settings.pacing, ..Clock::default() };
+        self.clock = Clock::new(self.settings.pacing);
     }
 
     /// Plays what the document says by now, if it is without fault.
@@ -105,11 +109,17 @@ impl App {
     }
 
     fn panels_ui(&mut self, ui: &mut Ui) {
+        self.selection = selection::nearest(self.project.document(), &self.selection);
         let requests = &mut self.requests;
         Panel::top("menu").show(ui, |ui| panels::menu::ui(ui, &self.project, &mut self.settings, requests));
         Panel::bottom("timeline").show(ui, |ui| {
             panels::timeline::ui(ui, &mut self.clock, self.stage.as_ref(), &mut self.settings, requests);
         });
+        if self.settings.tree {
+            Panel::left("tree").default_size(210.0).size_range(150.0..=420.0).show(ui, |ui| {
+                self.tree.ui(ui, self.project.document(), &self.selection, requests);
+            });
+        }
         let others: Vec<&str> = self
             .refusal
             .as_deref()
@@ -169,6 +179,9 @@ impl App {
             },
             Command::Undo => self.project.undo(),
             Command::Redo => self.project.redo(),
+            Command::Duplicate => self.change_selected(|_, selected| selection::duplicate(selected)),
+            Command::Delete => self.change_selected(selection::delete),
+            Command::Rename => self.tree.rename(&self.selection),
             Command::Play => self.clock.playing = !self.clock.playing,
             Command::PreviousFrame => self.clock.step(-1),
             Command::NextFrame => self.clock.step(1),
@@ -192,8 +205,19 @@ impl App {
             }
             Command::Palette => self.palette.open(),
             // PLACEHOLDER
-            Command::Open | Command::Save | Command::SaveAs | Command::Duplicate | Command::Delete | Command::FrameAll | Command::FrameSelected | Command::KeepView | Command::Render | Command::Export => {}
+            Command::Open | Command::Save | Command::SaveAs | Command::FrameAll | Command::FrameSelected | Command::KeepView | Command::Render | Command::Export => {}
             Command::Quit => ctx.send_viewport_cmd(egui::ViewportCommand::Close),
+        }
+    }
+}
+
+impl App {
+    /// Does to the selected element what `change` says, and selects what it leads to.
+    fn change_selected(&mut self, change: impl Fn(&Document, &Path) -> Option<(Edit, Path)>) {
+        let Some((edit, next)) = change(self.project.document(), &self.selection) else { return };
+        match self.project.edit(&edit, None) {
+            Ok(()) => self.selection = next,
+            Err(error) => self.refusal = Some(error.to_string()),
         }
     }
 }

@@ -31,6 +31,11 @@ impl Default for Clock {
 }
 
 impl Clock {
+    /// At the first frame, and at rest.
+    pub(crate) fn new(pacing: Pacing) -> Self {
+        Self { pacing, ..Self::default() }
+    }
+
     /// Goes by the scene's frames from now on.
     pub(crate) fn set(&mut self, time: &fumetto_scene::Time) {
         (self.range, self.fps) = (time.frames, time.fps);

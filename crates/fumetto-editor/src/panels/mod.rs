@@ -5,3 +5,4 @@ pub(crate) mod palette;
 pub(crate) mod problems;
 pub(crate) mod text;
 pub(crate) mod timeline;
+pub(crate) mod tree;
