@@ -1,14 +1,20 @@
 //! The window: what is shown where, and what is done about it.
 
+mod desk;
+mod leaving;
+
 use egui::{CentralPanel, Context, Panel, Ui};
 use fumetto_scene::edit::{Document, Edit, Path};
-use fumetto_scene::starts;
 
+pub(crate) use self::leaving::Goal;
+use self::leaving::Leaving;
+use crate::autosave::{Autosave, Left};
 use crate::clock::Clock;
 use crate::commands::{self, Command};
+use crate::dialogs::{Dialogs, Purpose};
 use crate::examples::EXAMPLES;
-use crate::files::Files;
-use crate::panels::{self, palette::Palette, tree::Tree};
+use crate::jobs::{Job, Work};
+use crate::panels::{self, output::Output, palette::Palette, styles::Styles, tree::Tree};
 use crate::project::Project;
 use crate::request::{Request, Requests};
 use crate::selection;
@@ -38,6 +44,16 @@ pub struct App {
     /// What could not be done last.
     refusal: Option<String>,
     requests: Requests,
+    styles: Styles,
+    output: Output,
+    jobs: Vec<Job>,
+    dialogs: Dialogs,
+    autosave: Autosave,
+    /// What editors left that ended unexpectedly.
+    left: Vec<Left>,
+    leaving: Option<Leaving>,
+    /// Whether what is not saved may be lost.
+    may_quit: bool,
 }
 
 impl App {
@@ -52,6 +68,7 @@ impl App {
         let project = Project::new(first.name, first.text.to_owned(), first.files())?;
         let settings: Settings =
             creation.storage.and_then(|storage| eframe::get_value(storage, SETTINGS)).unwrap_or_default();
+        let kept = eframe::storage_dir("fumetto").unwrap_or_else(std::env::temp_dir).join("unsaved");
         let context = &creation.egui_ctx;
         let stage = creation.wgpu_render_state.clone().map(|render| Stage::new(render, context.clone()));
         Ok(Self {
@@ -67,6 +84,14 @@ impl App {
             jump: None,
             refusal: None,
             requests: Requests::default(),
+            styles: Styles::default(),
+            output: Output::default(),
+            jobs: Vec::new(),
+            dialogs: Dialogs::default(),
+            autosave: Autosave::new(&kept),
+            left: Left::all(&kept),
+            leaving: None,
+            may_quit: false,
         })
     }
 
@@ -83,8 +108,10 @@ impl App {
     /// Whether the picture shows what it should, as fine as it gets.
     #[must_use]
     pub fn is_settled(&self) -> bool {
-        let is_played = self.played == Some(self.project.document().revision()) || self.project.scene().is_none();
-        is_played && self.stage.as_ref().is_none_or(|stage| self.viewport.is_settled(stage, self.clock.frame()))
+        let is_played =
+            self.played == Some(self.project.document().revision()) || self.project.scene().is_none();
+        is_played
+            && self.stage.as_ref().is_none_or(|stage| self.viewport.is_settled(stage, self.clock.frame()))
     }
 
     fn show(&mut self, project: Project) {
@@ -134,6 +161,15 @@ impl App {
                 });
             });
         }
+        if self.settings.styles {
+            Panel::right("styles").default_size(260.0).size_range(160.0..=520.0).show(ui, |ui| {
+                let drawn = self.stage.as_mut().and_then(|stage| stage.draw_style(&self.project));
+                if let Some((preset, picture)) = drawn {
+                    self.styles.put(preset, picture);
+                }
+                self.styles.ui(ui, &self.project, requests);
+            });
+        }
         if self.settings.text {
             Panel::bottom("text").resizable(true).default_size(220.0).show(ui, |ui| {
                 panels::text::ui(ui, &self.project, &mut self.jump, requests);
@@ -156,13 +192,8 @@ impl App {
             Request::EndGesture => self.project.end_gesture(),
             Request::Do(command) => self.obey(command, ctx),
             Request::Select(path) => self.selection = path,
-            Request::OpenExample(index) => {
-                let example = &EXAMPLES[index];
-                match Project::new(example.name, example.text.to_owned(), example.files()) {
-                    Ok(project) => self.show(project),
-                    Err(error) => self.refusal = Some(error.to_string()),
-                }
-            }
+            Request::Leave(goal) => self.leave_for(goal, ctx),
+            Request::SaveStyle => self.dialogs.ask(ctx, Purpose::Style, "my.style.toml"),
             Request::Seek(frame) => self.clock.seek(frame),
             Request::ShowText(span) => {
                 self.settings.text = true;
@@ -173,10 +204,12 @@ impl App {
 
     fn obey(&mut self, command: Command, ctx: &Context) {
         match command {
-            Command::New => match Project::new("untitled.toml", starts::CLOUD.to_owned(), Files::default()) {
-                Ok(project) => self.show(project),
-                Err(error) => self.refusal = Some(error.to_string()),
-            },
+            Command::New => self.leave_for(Goal::New, ctx),
+            Command::Open => self.leave_for(Goal::Choose, ctx),
+            Command::Save => self.save_scene(ctx),
+            Command::SaveAs => self.dialogs.ask(ctx, Purpose::Save, self.project.name()),
+            Command::Render => self.order(Work::Picture),
+            Command::Export => self.order(Work::Drawing),
             Command::Undo => self.project.undo(),
             Command::Redo => self.project.redo(),
             Command::Duplicate => self.change_selected(|_, selected| selection::duplicate(selected)),
@@ -205,8 +238,8 @@ impl App {
             }
             Command::Palette => self.palette.open(),
             // PLACEHOLDER
-            Command::Open | Command::Save | Command::SaveAs | Command::FrameAll | Command::FrameSelected | Command::KeepView | Command::Render | Command::Export => {}
-            Command::Quit => ctx.send_viewport_cmd(egui::ViewportCommand::Close),
+            Command::FrameAll | Command::FrameSelected | Command::KeepView => {}
+            Command::Quit => self.leave_for(Goal::Quit, ctx),
         }
     }
 }
@@ -233,11 +266,17 @@ impl eframe::App for App {
         let shown = self.stage.as_ref().and_then(Stage::frame);
         self.clock.tick(ctx.input(|input| input.stable_dt), shown);
         self.keep_up();
+        self.take_dropped(&ctx);
         self.panels_ui(ui);
         self.palette.ui(&ctx, &mut self.requests);
+        self.output_ui(&ctx);
+        self.leaving_ui(&ctx);
+        self.recovery_ui(&ctx);
+        self.hear_dialogs(&ctx);
         for request in self.requests.take() {
             self.answer(request, &ctx);
         }
+        self.keep_safe();
     }
 
     fn save(&mut self, storage: &mut dyn eframe::Storage) {

@@ -1,7 +1,7 @@
 //! What is edited: a scene file's text, what it means, and where it lies.
 
 use fumetto_scene::edit::{Document, Edit, EditError};
-use fumetto_scene::{Report, Scene, SceneText};
+use fumetto_scene::{Report, Scene, SceneText, StyleChoice};
 
 use crate::files::Files;
 
@@ -82,6 +82,13 @@ impl Project {
         }
     }
 
+    /// The scene, drawn in a ready-made style.
+    pub(crate) fn in_style(&self, preset: &str) -> Option<Scene> {
+        let style = Some(StyleChoice::Preset(preset));
+        let text = SceneText { name: &self.name, toml: self.document.text(), style, ..SceneText::default() };
+        Some(Scene::load(&text, &mut |path| self.files.text(path)).ok()?.0)
+    }
+
     /// Reads the text anew, and whatever files it names.
     pub(crate) fn check(&mut self) {
         let text = SceneText { name: &self.name, toml: self.document.text(), ..SceneText::default() };
@@ -103,6 +110,16 @@ impl Project {
         let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy();
         let mut project = Self::new(name, text, Files::beside(path)).with_context(shown)?;
         project.path = Some(path.to_owned());
+        Ok(project)
+    }
+
+    /// A scene with changes that were never saved; `path` is where it lies without them.
+    pub(crate) fn recovered(path: Option<&std::path::Path>, text: String) -> anyhow::Result<Self> {
+        let mut project = match path {
+            Some(path) if path.exists() => Self::open(path)?,
+            _ => Self::new("recovered.toml", String::new(), Files::default())?,
+        };
+        project.edit(&Edit::ReplaceText(text), None)?;
         Ok(project)
     }
 

@@ -2,6 +2,7 @@
 
 use fumetto_scene::edit::{Edit, Path};
 
+use crate::app::Goal;
 use crate::commands::Command;
 
 /// Something to be done after the panels were shown.
@@ -15,8 +16,10 @@ pub(crate) enum Request {
     Do(Command),
     /// Shows something in the inspector.
     Select(Path),
-    /// Opens one of the examples.
-    OpenExample(usize),
+    /// Goes on to another scene.
+    Leave(Goal),
+    /// Writes the scene's style to a file of its own.
+    SaveStyle,
     /// Goes to a frame.
     Seek(u32),
     /// Shows the text there, in bytes.

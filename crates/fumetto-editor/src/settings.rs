@@ -1,5 +1,7 @@
 //! What the editor remembers of how its user likes it.
 
+use std::path::{Path, PathBuf};
+
 use serde::{Deserialize, Serialize};
 
 use crate::clock::Pacing;
@@ -17,6 +19,21 @@ pub(crate) struct Settings {
     pub(crate) text: bool,
     pub(crate) grid: bool,
     pub(crate) times: bool,
+    /// Scene files that were opened or saved, the last first.
+    pub(crate) recent: Vec<PathBuf>,
+}
+
+/// As many files are remembered as a menu shows well.
+const MOST_RECENT: usize = 10;
+
+impl Settings {
+    /// A scene file was opened or saved.
+    pub(crate) fn remember(&mut self, path: &Path) {
+        let path = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
+        self.recent.retain(|known| *known != path);
+        self.recent.insert(0, path);
+        self.recent.truncate(MOST_RECENT);
+    }
 }
 
 impl Default for Settings {
@@ -30,6 +47,7 @@ impl Default for Settings {
             text: false,
             grid: false,
             times: false,
+            recent: Vec::new(),
         }
     }
 }

@@ -110,6 +110,27 @@ impl Engine {
         Ok(())
     }
 
+    /// Draws the moment that `player` is at as `scene` shows it: in another style, say. `player` goes on as if nothing
+    /// had been.
+    ///
+    /// # Errors
+    /// As [`Engine::play`], [`Engine::seek`] and [`Engine::draw`].
+    pub fn draw_as(
+        &mut self,
+        player: &mut Player,
+        scene: Scene,
+        assets: Box<dyn Assets>,
+        shot: &Shot,
+        target: &wgpu::TextureView,
+    ) -> Result<(), Error> {
+        let mut other = self.play(scene, assets)?;
+        other.take_over(player);
+        let shown = player.shown.unwrap_or_default();
+        let drawn = self.seek(&mut other, shown).and_then(|()| self.draw(&other, shot, target));
+        player.take_over(&mut other);
+        drawn
+    }
+
     /// Takes the scene to `frame`, forward from where it is or from the start. On twos, every other
     /// frame looks like the one before it.
     ///

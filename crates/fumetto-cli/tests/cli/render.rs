@@ -193,6 +193,7 @@ fn a_scene_may_come_by_a_pipe() {
     let output = folder.command(&["render", "-", "-o", "pipe.png"]).stdin(scene).output().unwrap();
     Ran::of(&output).ends(0);
     assert_eq!(folder.bytes("file.png"), folder.bytes("pipe.png"));
-    let broken = folder.command(&["check", "-"]).stdin(File::open(folder.path("pipe.png")).unwrap()).output().unwrap();
+    let broken =
+        folder.command(&["check", "-"]).stdin(File::open(folder.path("pipe.png")).unwrap()).output().unwrap();
     Ran::of(&broken).ends(1).says(&["standard input", "UTF-8"]);
 }

@@ -2,6 +2,7 @@
 
 use egui::Ui;
 
+use crate::app::Goal;
 use crate::commands::{self, Command, Menu};
 use crate::examples::EXAMPLES;
 use crate::project::Project;
@@ -18,6 +19,7 @@ pub(crate) fn ui(ui: &mut Ui, project: &Project, settings: &mut Settings, reques
                 if menu == Menu::File {
                     ui.separator();
                     examples_ui(ui, requests);
+                    recent_ui(ui, settings, requests);
                 }
                 if menu == Menu::View {
                     ui.separator();
@@ -74,9 +76,22 @@ fn examples_ui(ui: &mut Ui, requests: &mut Requests) {
     ui.menu_button("Examples", |ui| {
         for (index, example) in EXAMPLES.iter().enumerate() {
             if ui.button(example.name).on_hover_text(example.shows).clicked() {
-                requests.push(Request::OpenExample(index));
+                requests.push(Request::Leave(Goal::Example(index)));
             }
         }
+    });
+}
+
+fn recent_ui(ui: &mut Ui, settings: &Settings, requests: &mut Requests) {
+    ui.add_enabled_ui(!settings.recent.is_empty(), |ui| {
+        ui.menu_button("Recent", |ui| {
+            for path in &settings.recent {
+                let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy();
+                if ui.button(name).on_hover_text(path.display().to_string()).clicked() {
+                    requests.push(Request::Leave(Goal::File(path.clone())));
+                }
+            }
+        });
     });
 }
 

@@ -1,8 +1,11 @@
 //! The parts of the window round the picture. Each reads the state and asks for changes; none makes any.
 
 pub(crate) mod menu;
+#[cfg(not(target_arch = "wasm32"))]
+pub(crate) mod output;
 pub(crate) mod palette;
 pub(crate) mod problems;
+pub(crate) mod styles;
 pub(crate) mod text;
 pub(crate) mod timeline;
 pub(crate) mod tree;

@@ -1,6 +1,6 @@
 //! The clock's controls and the bar of frames.
 
-use egui::{Sense, Role, Ui, WidgetInfo};
+use egui::{Role, Sense, Ui, WidgetInfo};
 
 use crate::clock::{Clock, Pacing};
 use crate::commands::Command;

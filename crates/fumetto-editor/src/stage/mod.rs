@@ -1,6 +1,7 @@
 //! The scene as it is played and seen: the engine's own picture, drawn whenever something has changed.
 
 mod canvas;
+mod gallery;
 mod pace;
 
 use std::time::Duration;
@@ -10,7 +11,7 @@ use egui::TextureId;
 use fumetto::{Assets, Engine, Gpu, Player, Shot, Trouble};
 use fumetto_scene::{Camera, Scene};
 
-use self::{canvas::Canvas, pace::Pace};
+use self::{canvas::Canvas, gallery::Gallery, pace::Pace};
 
 /// Frames that the simulation may go on at once while its picture is waited for: what lies farther away is reached in
 /// several goes, between which the hand is heard.
@@ -35,6 +36,7 @@ pub(crate) struct Stage {
     engine: Engine,
     trouble: Trouble,
     canvas: Canvas,
+    gallery: Gallery,
     pace: Pace,
     player: Option<Player>,
     /// The frame that the player is at.
@@ -58,6 +60,7 @@ impl Stage {
         Self {
             engine: Engine::new(gpu),
             trouble,
+            gallery: Gallery::new(render.clone()),
             canvas: Canvas::new(render),
             pace: Pace::default(),
             player: None,
@@ -111,6 +114,11 @@ impl Stage {
                 .shown
                 .as_ref()
                 .is_some_and(|(wish, _)| !wish.in_motion && wish.frame == frame && wish.camera == *camera)
+    }
+
+    /// Whether the picture is as fine as it gets.
+    fn is_at_rest(&self) -> bool {
+        self.shown.as_ref().is_some_and(|(wish, _)| !wish.in_motion)
     }
 
     /// How long the last picture took.

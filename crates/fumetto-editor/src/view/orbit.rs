@@ -101,9 +101,7 @@ impl Orbit<'_> {
 /// The axes of a camera's picture: right, up and toward whoever looks.
 pub(crate) fn axes(camera: &Camera) -> [Vec3; 3] {
     let back = (Vec3::from(camera.eye) - Vec3::from(camera.target)).normalize_or(Vec3::Z);
-    let right = Vec3::from(camera.up)
-        .cross(back)
-        .normalize_or(back.any_orthonormal_vector());
+    let right = Vec3::from(camera.up).cross(back).normalize_or(back.any_orthonormal_vector());
     [right, back.cross(right), back]
 }
 

@@ -47,7 +47,9 @@ impl Desk {
     pub(crate) fn look(&mut self, name: &str) -> Vec<u8> {
         let image = self.window.render().expect("the window can be drawn");
         if let Some(folder) = std::env::var_os("FUMETTO_LOOK") {
-            image.save(std::path::Path::new(&folder).join(format!("{name}.png"))).expect("the folder is there");
+            image
+                .save(std::path::Path::new(&folder).join(format!("{name}.png")))
+                .expect("the folder is there");
         }
         image.into_raw()
     }

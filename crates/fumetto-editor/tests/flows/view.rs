@@ -39,6 +39,7 @@ fn drag(desk: &mut Desk, from: Pos2, to: Pos2) {
 }
 
 fn share_of_difference(a: &[u8], b: &[u8]) -> f32 {
-    let differing = a.chunks(4).zip(b.chunks(4)).filter(|(a, b)| a.iter().zip(*b).any(|(a, b)| a.abs_diff(*b) > 8));
+    let differing =
+        a.chunks(4).zip(b.chunks(4)).filter(|(a, b)| a.iter().zip(*b).any(|(a, b)| a.abs_diff(*b) > 8));
     differing.count() as f32 / (a.len() / 4) as f32
 }

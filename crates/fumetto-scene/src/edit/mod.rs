@@ -38,4 +38,4 @@ pub use document::Document;
 pub use path::{Path, PathError, Step};
 pub use syntax::SyntaxError;
 /// What a key is set to, and what is read of it.
-pub use toml::Value;
+pub use toml::{Table, Value};
