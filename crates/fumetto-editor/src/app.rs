@@ -4,7 +4,7 @@ mod desk;
 mod leaving;
 
 use egui::{CentralPanel, Context, Panel, Ui};
-use fumetto_scene::edit::{Document, Edit, Path};
+use fumetto_scene::edit::{Document, Edit, Path, Value};
 
 pub(crate) use self::leaving::Goal;
 use self::leaving::Leaving;
@@ -20,7 +20,7 @@ use crate::request::{Request, Requests};
 use crate::selection;
 use crate::settings::Settings;
 use crate::stage::Stage;
-use crate::view::Viewport;
+use crate::view::{Viewport, ball, handles};
 
 /// Under this name the settings are kept.
 const SETTINGS: &str = "settings";
@@ -178,7 +178,9 @@ impl App {
         CentralPanel::default().show(ui, |ui| {
             if let Some(stage) = &mut self.stage {
                 let moment = (self.clock.frame(), self.clock.playing);
-                self.viewport.ui(ui, stage, moment, self.settings.navigation);
+                let handles = handles(self.project.document(), &self.selection);
+                let hand = (&handles[..], &mut self.requests);
+                self.viewport.ui(ui, stage, moment, self.settings.navigation, hand);
             }
         });
     }
@@ -237,14 +239,37 @@ impl App {
                 ctx.set_theme(if dark { egui::Theme::Light } else { egui::Theme::Dark });
             }
             Command::Palette => self.palette.open(),
-            // PLACEHOLDER
-            Command::FrameAll | Command::FrameSelected | Command::KeepView => {}
+            Command::FrameAll => self.frame(&Path::root().key("object")),
+            Command::FrameSelected => self.frame(&self.selection.clone()),
+            Command::KeepView => self.keep_view(),
             Command::Quit => self.leave_for(Goal::Quit, ctx),
         }
     }
 }
 
 impl App {
+    /// Looks at what lies at `path`.
+    fn frame(&mut self, path: &Path) {
+        let found = ball(&handles(self.project.document(), path));
+        if let (Some(stage), Some(ball)) = (&self.stage, found) {
+            self.viewport.frame(stage, ball);
+        }
+    }
+
+    /// Makes what is seen the view of the scene's first camera.
+    fn keep_view(&mut self) {
+        let Some(camera) = self.stage.as_ref().and_then(|stage| self.viewport.camera(stage)) else { return };
+        let path = Path::root().key("camera").index(0);
+        let place = |metres: [f32; 3]| Value::Array(metres.map(|metres| Value::Float(metres.into())).into());
+        let edits = [("eye", camera.eye), ("target", camera.target), ("up", camera.up)];
+        let edits = edits.map(|(key, at)| Edit::Set { path: path.key(key), value: place(at) }).into();
+        let edit = Edit::All { label: "Put the scene's camera here".into(), edits };
+        match self.project.edit(&edit, None) {
+            Ok(()) => self.viewport.forget(),
+            Err(error) => self.refusal = Some(error.to_string()),
+        }
+    }
+
     /// Does to the selected element what `change` says, and selects what it leads to.
     fn change_selected(&mut self, change: impl Fn(&Document, &Path) -> Option<(Edit, Path)>) {
         let Some((edit, next)) = change(self.project.document(), &self.selection) else { return };

@@ -1,10 +1,14 @@
 //! The picture in the window, and the hand that turns it.
 
+mod gizmo;
+mod handles;
 mod navigation;
 mod orbit;
 mod overlay;
 mod viewport;
 
+pub(crate) use gizmo::Gizmo;
+pub(crate) use handles::{Handle, ball, handles};
 pub(crate) use navigation::Navigation;
 pub(crate) use orbit::{Orbit, Side};
 pub(crate) use viewport::Viewport;

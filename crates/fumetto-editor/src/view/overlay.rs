@@ -35,6 +35,11 @@ impl Projection {
         Self { clip_from_world: clip_from_view * view_from_world, rect }
     }
 
+    /// The picture's place in the window.
+    pub(super) fn rect(&self) -> Rect {
+        self.rect
+    }
+
     /// Where a point is seen; `None` behind the camera.
     pub(crate) fn point(&self, world: Vec3) -> Option<Pos2> {
         let clip = self.clip_from_world * world.extend(1.0);
@@ -89,7 +94,7 @@ pub(crate) fn grid(painter: &Painter, camera: &Camera, rect: Rect) {
 }
 
 /// The axes and their colours, as most programs have them.
-const AXES: [(Vec3, Color32); 3] = [
+pub(super) const AXES: [(Vec3, Color32); 3] = [
     (Vec3::X, Color32::from_rgb(0xe0, 0x55, 0x60)),
     (Vec3::Y, Color32::from_rgb(0x7a, 0xc2, 0x5a)),
     (Vec3::Z, Color32::from_rgb(0x5a, 0x8c, 0xe6)),

@@ -1,7 +1,8 @@
 use egui::{Color32, CornerRadius, Rect, Response, Sense, StrokeKind, Ui, Vec2};
 use fumetto_scene::{Camera, Output};
 
-use super::{Navigation, Orbit, Side, overlay};
+use super::{Gizmo, Handle, Navigation, Orbit, Side, overlay};
+use crate::request::Requests;
 use crate::stage::{Stage, Wish};
 
 /// Where the picture is seen from, and what is drawn over it.
@@ -11,6 +12,7 @@ pub(crate) struct Viewport {
     camera: Option<Camera>,
     pub(crate) grid: bool,
     pub(crate) times: bool,
+    gizmo: Gizmo,
     /// Seconds since the hand last moved the camera.
     rest_secs: f32,
 }
@@ -62,6 +64,7 @@ impl Viewport {
         stage: &mut Stage,
         (frame, playing): (u32, bool),
         navigation: Navigation,
+        (handles, requests): (&[Handle], &mut Requests),
     ) -> Response {
         let (room, _) = ui.allocate_exact_size(ui.available_size(), Sense::hover());
         let Some(mut camera) = self.camera(stage) else {
@@ -79,11 +82,12 @@ impl Viewport {
         let picture = ui.interact(rect, ui.scope_id().with("picture"), Sense::click_and_drag());
         picture.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, "Picture"));
         self.rest_secs += ui.input(|input| input.stable_dt).min(0.1);
-        if navigation.steer(ui, &picture, &mut camera) {
+        self.gizmo.steer(ui, &picture, &camera, handles, requests);
+        if !self.gizmo.is_held() && navigation.steer(ui, &picture, &mut camera) {
             self.camera = Some(camera.clone());
             self.rest_secs = 0.0;
         }
-        let in_motion = playing || self.rest_secs < REST_SECS;
+        let in_motion = playing || self.gizmo.is_held() || self.rest_secs < REST_SECS;
         if in_motion {
             ui.request_repaint();
         }
@@ -104,6 +108,7 @@ impl Viewport {
         if self.grid {
             overlay::grid(&painter, &camera, rect);
         }
+        self.gizmo.draw(ui, rect, &camera, handles);
         if self.times {
             self.times_ui(ui, stage, rect);
         }
