@@ -1,0 +1,185 @@
+use egui::{Color32, Painter, Pos2, Rect, Response, Stroke, Ui};
+use fumetto_scene::Camera;
+use fumetto_scene::edit::{Edit, Path, Value};
+use glam::Vec3;
+
+use super::handles::{Handle, rounded, written};
+use super::orbit::axes;
+use super::overlay::{AXES, Projection};
+use crate::request::{Request, Requests};
+
+/// How long an arrow is, in points.
+const ARROW: f32 = 56.0;
+
+/// How near a pointer takes hold, in points.
+const GRIP: f32 = 9.0;
+
+/// Smallest radius that a hand gives, in metres.
+const LEAST_RADIUS: f32 = 1e-3;
+
+/// What is being dragged.
+#[derive(Clone, Debug, PartialEq)]
+enum Grip {
+    /// The place itself, in the picture's plane.
+    Free(Path),
+    /// The place along an axis.
+    Along(Path, Vec3),
+    /// How far it reaches.
+    Radius(Path),
+}
+
+/// Moves places of the scene by hand, over the picture.
+#[derive(Default)]
+pub(crate) struct Gizmo {
+    grip: Option<Grip>,
+    /// The place that has arrows.
+    active: Option<Path>,
+}
+
+impl Gizmo {
+    /// Whether the pointer holds something, so that the camera stays.
+    pub(crate) fn is_held(&self) -> bool {
+        self.grip.is_some()
+    }
+
+    /// Does what the pointer does with the handles.
+    pub(crate) fn steer(
+        &mut self,
+        ui: &Ui,
+        picture: &Response,
+        camera: &Camera,
+        handles: &[Handle],
+        requests: &mut Requests,
+    ) {
+        let rect = picture.rect;
+        let projection = Projection::new(camera, rect);
+        let active = handles.iter().find(|handle| Some(&handle.path) == self.active.as_ref());
+        if picture.drag_started_by(egui::PointerButton::Primary)
+            && let Some(pointer) = ui.input(|input| input.pointer.press_origin())
+        {
+            self.grip = take_hold(&projection, camera, handles, active, pointer);
+            if let Some(Grip::Free(path)) = &self.grip {
+                self.active = Some(path.clone());
+            }
+        }
+        if let (Some(grip), Some(way)) = (&self.grip, picture.dragged().then(|| picture.drag_delta())) {
+            drag(grip, camera, rect, handles, way, requests);
+        }
+        if picture.drag_stopped() && self.grip.take().is_some() {
+            requests.push(Request::EndGesture);
+        }
+    }
+
+    /// Draws the handles.
+    pub(crate) fn draw(&self, ui: &Ui, rect: Rect, camera: &Camera, handles: &[Handle]) {
+        let projection = Projection::new(camera, rect);
+        let painter = ui.painter().with_clip_rect(rect);
+        let colour = ui.visuals().selection.stroke.color;
+        for handle in handles {
+            let is_active = Some(&handle.path) == self.active.as_ref();
+            draw(&painter, &projection, camera, handle, if is_active { Color32::WHITE } else { colour });
+            if is_active {
+                draw_arrows(&painter, &projection, camera, handle.at);
+            }
+        }
+    }
+}
+
+/// How many metres a point of the screen is, where something is.
+fn metres_a_point(camera: &Camera, at: Vec3, rect: Rect) -> f32 {
+    let [_, _, back] = axes(camera);
+    let depth = (Vec3::from(camera.eye) - at).dot(back).max(1e-4);
+    2.0 * depth * (0.5 * camera.fov_deg).to_radians().tan() / rect.height().max(1.0)
+}
+
+/// Where the tips of the arrows at a place are.
+fn tips(projection: &Projection, camera: &Camera, at: Vec3) -> impl Iterator<Item = (Vec3, Color32, Pos2)> {
+    let length = ARROW * metres_a_point(camera, at, projection.rect());
+    AXES.into_iter()
+        .filter_map(move |(axis, colour)| Some((axis, colour, projection.point(at + length * axis)?)))
+}
+
+fn take_hold(
+    projection: &Projection,
+    camera: &Camera,
+    handles: &[Handle],
+    active: Option<&Handle>,
+    pointer: Pos2,
+) -> Option<Grip> {
+    if let Some(handle) = active {
+        let tip = tips(projection, camera, handle.at).find(|(_, _, tip)| tip.distance(pointer) < GRIP);
+        if let Some((axis, ..)) = tip {
+            return Some(Grip::Along(handle.path.clone(), axis));
+        }
+        if let Some((radius, metres)) = &handle.radius {
+            let middle = projection.point(handle.at)?;
+            let ring = metres / metres_a_point(camera, handle.at, projection.rect());
+            if (middle.distance(pointer) - ring).abs() < 0.6 * GRIP {
+                return Some(Grip::Radius(radius.clone()));
+            }
+        }
+    }
+    let distance =
+        |handle: &&Handle| projection.point(handle.at).map_or(f32::INFINITY, |at| at.distance(pointer));
+    let nearest = handles.iter().min_by(|a, b| distance(a).total_cmp(&distance(b)))?;
+    (distance(&nearest) < GRIP).then(|| Grip::Free(nearest.path.clone()))
+}
+
+fn drag(
+    grip: &Grip,
+    camera: &Camera,
+    rect: Rect,
+    handles: &[Handle],
+    way: egui::Vec2,
+    requests: &mut Requests,
+) {
+    if way == egui::Vec2::ZERO {
+        return;
+    }
+    let [right, up, _] = axes(camera);
+    let held = |path: &Path| handles.iter().find(|handle| handle.path == *path);
+    let edit = match grip {
+        Grip::Free(path) => held(path).map(|handle| {
+            let metres = metres_a_point(camera, handle.at, rect);
+            let at = handle.at + metres * (way.x * right - way.y * up);
+            (path, written(at))
+        }),
+        Grip::Along(path, axis) => held(path).map(|handle| {
+            let metres = metres_a_point(camera, handle.at, rect);
+            let on_screen = egui::vec2(axis.dot(right), -axis.dot(up));
+            // Along an axis that points at the eye a pointer could move something endlessly far.
+            let moved = metres * way.dot(on_screen) / on_screen.length_sq().max(0.05);
+            (path, written(handle.at + moved * *axis))
+        }),
+        Grip::Radius(path) => {
+            let handle = handles
+                .iter()
+                .find(|handle| handle.radius.as_ref().is_some_and(|(radius, _)| radius == path));
+            handle.and_then(|handle| {
+                let (_, metres) = handle.radius.as_ref()?;
+                let grown = metres + metres_a_point(camera, handle.at, rect) * (way.x - way.y);
+                Some((path, Value::Float(rounded(grown.max(LEAST_RADIUS)))))
+            })
+        }
+    };
+    if let Some((path, value)) = edit {
+        requests.drag(path.to_string(), Edit::Set { path: path.clone(), value });
+    }
+}
+
+fn draw(painter: &Painter, projection: &Projection, camera: &Camera, handle: &Handle, colour: Color32) {
+    let Some(at) = projection.point(handle.at) else { return };
+    painter.circle(at, 4.0, colour, Stroke::new(1.0, Color32::from_black_alpha(140)));
+    if let Some((_, metres)) = handle.radius {
+        let ring = metres / metres_a_point(camera, handle.at, projection.rect());
+        painter.circle_stroke(at, ring, Stroke::new(1.0, colour.gamma_multiply(0.5)));
+    }
+}
+
+fn draw_arrows(painter: &Painter, projection: &Projection, camera: &Camera, at: Vec3) {
+    let Some(middle) = projection.point(at) else { return };
+    for (_, colour, tip) in tips(projection, camera, at) {
+        painter.line_segment([middle, tip], Stroke::new(2.0, colour));
+        painter.circle_filled(tip, 5.0, colour);
+    }
+}
