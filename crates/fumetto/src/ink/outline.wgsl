@@ -8,20 +8,26 @@
 @group(0) @binding(11) var depth_layer: texture_depth_2d;
 
 // How far away is what each pixel shows, and a bit for each that shows anything of this cel.
-var<private> behind: array<f32, 16>;
+var<private> behind: array<vec4f, 4>;
 var<private> filled: u32;
 // What the ink layer will hold.
-var<private> marks: array<u32, 16>;
+var<private> marks: array<vec4u, 4>;
+
+// No ink billboard is less far behind the nearest point of its puff.
+var<private> ink_behind: f32;
 
 // An ink billboard seen from a block.
 struct Line {
+    // Of the first pixel: from the puff's middle in pixels, and in the atlas.
     offset: vec2f,
     texel: vec2f,
     picture: Picture,
-    // Pixels to a radius.
-    radius_px: f32,
+    // Radii to a pixel.
+    radii: f32,
+    // Texels from the middle as far as the atlas tells.
+    extent: f32,
     distance: f32,
-    // Distance behind it at which lines have their full width.
+    // Share of their full width that lines gain for each metre to what lies behind.
     taper: f32,
     light: vec2f,
     // Of outlines and of inner lines, in the puff's margin.
@@ -42,53 +48,78 @@ fn margin_at(texel: vec2f) -> f32 {
     return mix(across.x, across.y, share.y);
 }
 
-fn look(line: Line, pixel: u32) {
-    let step = vec2f(pixel_of(pixel));
-    let offset = line.offset + step;
-    let picture = line.picture;
-    let texel = line.texel + step.x * picture.step + step.y * vec2f(-picture.step.y, picture.step.x);
-    let stored = margin_at(texel);
-    // Texels to a radius.
-    let p = (texel + 0.5 - picture.middle) / (length(picture.step) * line.radius_px);
-    let away = max(length(offset), 1e-3);
+// Looks at the line from a row of the block.
+fn look(line: Line, row: u32) {
+    let across = vec4f(ACROSS);
+    let down = f32(row);
+    let offset_x = line.offset.x + across;
+    let offset_y = line.offset.y + down;
+    let step = line.picture.step;
+    let texel_x = line.texel.x + across * step.x - down * step.y;
+    let texel_y = line.texel.y + across * step.y + down * step.x;
+    let stored = vec4f(
+        margin_at(vec2f(texel_x.x, texel_y.x)),
+        margin_at(vec2f(texel_x.y, texel_y.y)),
+        margin_at(vec2f(texel_x.z, texel_y.z)),
+        margin_at(vec2f(texel_x.w, texel_y.w)),
+    );
+    let middle = line.picture.middle - 0.5;
+    let aside = max(abs(texel_x - middle.x), abs(texel_y - middle.y));
+    let away2 = max(offset_x * offset_x + offset_y * offset_y, vec4f(1e-6));
+    let per_away = inverseSqrt(away2);
     // Farther out than the atlas tells, a puff is much like a disc.
-    let outside = stored < 2.5 || any(abs(p) > vec2f(TILE_EXTENT - 0.05));
-    let margin = select(stored, margin_byte(0.9 - away / line.radius_px), outside);
-    let lit = max(dot(offset, line.light) / away, 0.0);
-    let taper = clamp((behind[pixel] - line.distance) / line.taper, 0.0, 1.0);
+    let outside = (stored < vec4f(2.5)) | (aside > vec4f(line.extent));
+    let margin = select(stored, margin_bytes(0.9 - away2 * per_away * line.radii), outside);
+    let lit = max((offset_x * line.light.x + offset_y * line.light.y) * per_away, vec4f(0.0));
+    let taper = clamp((behind[row] - line.distance) * line.taper, vec4f(0.0), vec4f(1.0));
     let outer = line.widths.x * (1.0 - line.thinning * lit);
-    let inner = line.widths.y * taper * (1.0 - line.thinning * min(2.0 * lit, 1.0));
-    let width = select(outer, inner, (filled & (1u << pixel)) != 0u);
-    let before = distances[pixel];
-    let nearer = line.distance < before || (line.distance == before && line.mark < marks[pixel]);
-    let inked = nearer && margin > margin_byte(picture.erosion - width);
-    distances[pixel] = select(before, line.distance, inked);
-    marks[pixel] = select(marks[pixel], line.mark, inked);
+    let inner = line.widths.y * taper * (1.0 - line.thinning * min(2.0 * lit, vec4f(1.0)));
+    let is_filled = ((vec4u(filled) >> (4u * row + ACROSS)) & vec4u(1u)) != vec4u(0u);
+    let width = select(outer, inner, is_filled);
+    let before = distances[row];
+    let here = vec4f(line.distance);
+    let mark = vec4u(line.mark);
+    let nearer = (here < before) | ((here == before) & (mark < marks[row]));
+    let inked = nearer & (margin > margin_bytes(line.picture.erosion - width));
+    distances[row] = select(before, here, inked);
+    marks[row] = select(marks[row], mark, inked);
+}
+
+fn begin_pixel(at: vec2u, row: u32, across: u32, is_over: bool) {
+    let distance = min(distance_of(textureLoad(depth_layer, at, 0)), NOWHERE);
+    behind[row][across] = select(0.0, distance, all(vec2f(at) < view.size_px));
+    var shows = distance < NOWHERE;
+    if is_over {
+        shows = textureLoad(id_layer, at, 0).x != 0u;
+    }
+    filled |= u32(shows) << (4u * row + across);
 }
 
 fn begin(px: vec2u, is_over: bool) {
     filled = 0u;
-    for (var pixel = 0u; pixel < 16u; pixel++) {
-        let at = px + pixel_of(pixel);
-        let distance = min(distance_of(textureLoad(depth_layer, at, 0)), NOWHERE);
-        behind[pixel] = select(0.0, distance, all(vec2f(at) < view.size_px));
-        distances[pixel] = behind[pixel];
-        marks[pixel] = 0u;
-        var shows = distance < NOWHERE;
-        if is_over {
-            shows = textureLoad(id_layer, at, 0).x != 0u;
-        }
-        filled |= u32(shows) << pixel;
+    for (var row = 0u; row < 4u; row++) {
+        begin_pixel(px + vec2u(0u, row), row, 0u, is_over);
+        begin_pixel(px + vec2u(1u, row), row, 1u, is_over);
+        begin_pixel(px + vec2u(2u, row), row, 2u, is_over);
+        begin_pixel(px + vec2u(3u, row), row, 3u, is_over);
+        distances[row] = behind[row];
+        marks[row] = vec4u(0u);
     }
 }
 
-// The next puff + 1 whose ink billboard is nearer than something that is seen.
-fn next_line(list: ptr<function, List>) -> u32 {
-    let far = farthest();
-    let rank = rank_limit(far);
+// The next puff + 1 whose ink billboard is nearer than something that is seen within its reach.
+fn next_line(list: ptr<function, List>, place: vec2f) -> u32 {
+    let rank = rank_limit(farthest() - ink_behind);
     loop {
         let id = next_of(list, rank);
-        if id == 0u || bitcast<f32>(textureLoad(projected, projected_at(id - 1u, 2u)).w) < far {
+        if id == 0u {
+            break;
+        }
+        let middle = bitcast<vec2f>(textureLoad(projected, projected_at(id - 1u, 0u)).xy);
+        let ink = bitcast<vec4f>(textureLoad(projected, projected_at(id - 1u, 2u)));
+        // A pixel more: between texels the atlas is mixed.
+        let reach_px = ink.x + 1.0;
+        if ink.w < NOWHERE && reaches(place - middle, reach_px * reach_px, ink.w) {
             return id;
         }
     }
@@ -105,9 +136,10 @@ fn line_of(id: u32, place: vec2f) -> Line {
         offset,
         texel_of(picture, offset),
         picture,
-        at.z,
+        1.0 / at.z,
+        (TILE_EXTENT - 0.05) * length(picture.step) * at.z,
         distance,
-        at.z * at.w / view.focal_px,
+        focal_px / (at.z * at.w),
         unpack2x16snorm(ink.x),
         unpack2x16float(ink.y),
         bitcast<f32>(ink.z),
@@ -117,38 +149,29 @@ fn line_of(id: u32, place: vec2f) -> Line {
 
 fn walk(slot: u32, lane: u32, is_over: bool) {
     let px = block_px(slot, lane);
+    begin_walk();
+    ink_behind = bitcast<f32>(~summary.ink_behind);
     begin(px, is_over);
+    let place = vec2f(px) + 0.5;
     for (var levels = summary.levels; levels != 0u; levels &= levels - 1u) {
         var list = list_of(firstTrailingBit(levels), px);
         loop {
-            let id = next_line(&list);
+            let id = next_line(&list, place);
             if id == 0u {
                 break;
             }
-            let line = line_of(id, vec2f(px) + 0.5);
+            let line = line_of(id, place);
             look(line, 0u);
             look(line, 1u);
             look(line, 2u);
             look(line, 3u);
-            look(line, 4u);
-            look(line, 5u);
-            look(line, 6u);
-            look(line, 7u);
-            look(line, 8u);
-            look(line, 9u);
-            look(line, 10u);
-            look(line, 11u);
-            look(line, 12u);
-            look(line, 13u);
-            look(line, 14u);
-            look(line, 15u);
         }
     }
     // Eight pixels to a texel.
-    for (var pixel = 0u; pixel < 16u; pixel += 8u) {
-        let left = vec4u(marks[pixel], marks[pixel + 2u], marks[pixel + 4u], marks[pixel + 6u]);
-        let right = vec4u(marks[pixel + 1u], marks[pixel + 3u], marks[pixel + 5u], marks[pixel + 7u]);
-        textureStore(found, (px + pixel_of(pixel)) / vec2u(4u, 2u), left | (right << vec4u(16u)));
+    for (var row = 0u; row < 4u; row += 2u) {
+        let left = vec4u(marks[row].xz, marks[row + 1u].xz);
+        let right = vec4u(marks[row].yw, marks[row + 1u].yw);
+        textureStore(found, vec2u(px.x / 4u, (px.y + row) / 2u), left | (right << vec4u(16u)));
     }
 }
 

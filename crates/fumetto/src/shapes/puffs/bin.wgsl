@@ -3,7 +3,7 @@
 @group(0) @binding(1) var<uniform> bins: Bins;
 @group(0) @binding(2) var projected: texture_storage_2d<rgba32uint, read>;
 // As in `Summary`.
-@group(0) @binding(3) var<storage, read_write> summary: array<atomic<u32>, 4>;
+@group(0) @binding(3) var<storage, read_write> summary: array<atomic<u32>, 5>;
 // How many are in each slice of a tile; then where the next one of a slice goes.
 @group(0) @binding(4) var<storage, read_write> slices: array<atomic<u32>>;
 // Where each tile's list begins and ends.
@@ -38,7 +38,7 @@ fn footprint_of(item: u32) -> Footprint {
     let tile_px = f32(TILE_PX << level);
     let low = clamp(floor((at.xy - reach_px) / tile_px), vec2f(0.0), vec2f(grid.yz));
     let end = clamp(floor((at.xy + reach_px) / tile_px) + 1.0, vec2f(0.0), vec2f(grid.yz));
-    let known = Summary(atomicLoad(&summary[0]), atomicLoad(&summary[1]), 0u, 0u);
+    let known = Summary(atomicLoad(&summary[0]), atomicLoad(&summary[1]), 0u, 0u, 0u);
     let rank = u32(rank_of(depth_of(at.w * (1.0 - at.z / view.focal_px)), known));
     return Footprint(at.xy, reach_px, tile_px, grid, vec2u(low), vec2u(end), rank);
 }
@@ -126,7 +126,7 @@ fn cover(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: v
     let at = vec2u(tile % grid.y, tile / grid.y);
     var any = false;
     for (var levels = atomicLoad(&summary[3]); levels != 0u; levels &= levels - 1u) {
-        let list = tiles[level_tile(bins, firstTrailingBit(levels), at * TILE_PX)];
+        let list = tiles[level_tile(firstTrailingBit(levels), at * TILE_PX)];
         any |= list.y > list.x;
     }
     if any {

@@ -120,7 +120,7 @@ impl Bins {
                 [ENTRY_ROW, rows(MOST_TILES * count, ENTRY_ROW)],
                 ENTRY_FORMAT,
             ),
-            summary: buffer("shapes.puffs.bins.summary", 4, plain),
+            summary: buffer("shapes.puffs.bins.summary", 5, plain),
             slices: buffer("shapes.puffs.bins.slices", tile_count * SLICES, plain),
             tiles: buffer("shapes.puffs.bins.tiles", tile_count * 2, plain),
             covered: buffer("shapes.puffs.bins.covered", tile_count, plain),

@@ -30,6 +30,8 @@ struct Summary {
     entries: u32,
     // A bit for each level that has any.
     levels: u32,
+    // Bits of the least distance from the nearest point of any puff back to its ink billboard, inverted.
+    ink_behind: u32,
 }
 
 // An entry is a puff's number; then its nearness, from 0 for what is nearest of all to 65535, and below that
@@ -49,8 +51,9 @@ fn rank_of(depth: f32, summary: Summary) -> f32 {
     return clamp(log2(nearest / max(depth, 1e-30)) / max(octaves, 1e-4), 0.0, 1.0) * 65535.0;
 }
 
-fn level_tile(bins: Bins, level: u32, px: vec2u) -> u32 {
+// Uses `bins` of the program that it is part of.
+fn level_tile(level: u32, px: vec2u) -> u32 {
     let grid = bins.level[level];
-    let at = px / (TILE_PX << level);
+    let at = (px / TILE_PX) >> vec2u(level);
     return grid.x + at.y * grid.y + at.x;
 }

@@ -5,7 +5,7 @@
 @group(0) @binding(10) var depth_layer: texture_depth_2d;
 
 // What each pixel sees: a puff + 1.
-var<private> ids: array<u32, 16>;
+var<private> ids: array<vec4u, 4>;
 
 // A puff seen from a block.
 struct Seen {
@@ -22,75 +22,122 @@ struct Seen {
     id: u32,
 }
 
-fn look(seen: Seen, pixel: u32) {
-    let step = vec2f(pixel_of(pixel));
-    let offset = seen.offset + step;
-    let picture = seen.picture;
-    let texel = seen.texel + step.x * picture.step + step.y * vec2f(-picture.step.y, picture.step.x);
-    let first = floor(texel);
-    let share = texel - first;
-    let four = textureLoad(heights, vec2i(first)).xy;
-    let left = vec4f(vec4u(four.x & 0xffu, (four.x >> 8u) & 0xffu, four.y & 0xffu, (four.y >> 8u) & 0xffu));
-    let right = vec4f(vec4u((four.x >> 16u) & 0xffu, four.x >> 24u, (four.y >> 16u) & 0xffu, four.y >> 24u));
-    let across = mix(left, right, share.x);
-    let surface = mix(across.xy, across.zw, share.y);
-    let distance = seen.distance - surface.x * seen.radius;
-    let there = dot(offset, offset) <= seen.radius_px2 && surface.y > seen.margin;
-    let before = distances[pixel];
-    let nearer = there && (distance < before || (distance == before && seen.id < ids[pixel]));
-    distances[pixel] = select(before, distance, nearer);
-    ids[pixel] = select(ids[pixel], seen.id, nearer);
+// Four texels for each of four pixels; of each a byte, mixed.
+fn mixed(upper: vec4u, lower: vec4u, byte: u32, across: vec4f, down: vec4f) -> vec4f {
+    let left = vec4u(8u * byte);
+    let right = vec4u(8u * byte + 16u);
+    let bits = vec4u(0xffu);
+    let above = mix(vec4f((upper >> left) & bits), vec4f((upper >> right) & bits), across);
+    let below = mix(vec4f((lower >> left) & bits), vec4f((lower >> right) & bits), across);
+    return mix(above, below, down);
+}
+
+fn heights_at(x: f32, y: f32) -> vec2u {
+    return textureLoad(heights, vec2i(vec2f(x, y))).xy;
+}
+
+// Looks at the puff from a row of the block.
+fn look(seen: Seen, row: u32) {
+    let across = vec4f(ACROSS);
+    let down = f32(row);
+    let offset_x = seen.offset.x + across;
+    let offset_y = seen.offset.y + down;
+    let step = seen.picture.step;
+    let texel_x = seen.texel.x + across * step.x - down * step.y;
+    let texel_y = seen.texel.y + across * step.y + down * step.x;
+    let first_x = floor(texel_x);
+    let first_y = floor(texel_y);
+    let a = heights_at(first_x.x, first_y.x);
+    let b = heights_at(first_x.y, first_y.y);
+    let c = heights_at(first_x.z, first_y.z);
+    let d = heights_at(first_x.w, first_y.w);
+    let upper = vec4u(a.x, b.x, c.x, d.x);
+    let lower = vec4u(a.y, b.y, c.y, d.y);
+    let height = mixed(upper, lower, 0u, texel_x - first_x, texel_y - first_y);
+    let margin = mixed(upper, lower, 1u, texel_x - first_x, texel_y - first_y);
+    let in_reach = offset_x * offset_x + offset_y * offset_y <= vec4f(seen.radius_px2);
+    let distance = seen.distance - height * seen.radius;
+    let before = distances[row];
+    let id = vec4u(seen.id);
+    let is_first = (distance < before) | ((distance == before) & (id < ids[row]));
+    let nearer = in_reach & (margin > vec4f(seen.margin)) & is_first;
+    distances[row] = select(before, distance, nearer);
+    ids[row] = select(ids[row], id, nearer);
+}
+
+fn begin(px: vec2u, is_empty: bool) {
+    for (var row = 0u; row < 4u; row++) {
+        let at = vec2u(px.x, px.y + row);
+        // Nothing is nearer than what lies beyond the screen.
+        let on_screen = (vec4f(at.x + ACROSS) < vec4f(view.size_px.x)) & vec4<bool>(f32(at.y) < view.size_px.y);
+        distances[row] = select(vec4f(0.0), vec4f(NOWHERE), on_screen);
+        ids[row] = vec4u(0u);
+        if !is_empty {
+            let depths = vec4f(
+                textureLoad(depth_layer, at, 0),
+                textureLoad(depth_layer, at + vec2u(1u, 0u), 0),
+                textureLoad(depth_layer, at + vec2u(2u, 0u), 0),
+                textureLoad(depth_layer, at + vec2u(3u, 0u), 0),
+            );
+            distances[row] = min(near / depths, distances[row]);
+        }
+    }
+}
+
+// The next puff + 1 that may be the nearest in any pixel; 0 when there is none.
+fn next_seen(list: ptr<function, List>, place: vec2f) -> u32 {
+    let rank = rank_limit(farthest());
+    loop {
+        let id = next_of(list, rank);
+        if id == 0u {
+            break;
+        }
+        let at = bitcast<vec4f>(textureLoad(projected, projected_at(id - 1u, 0u)));
+        // A little more than its radius, for rounding.
+        let radius = at.z * at.w * (1.001 / focal_px);
+        if reaches(place - at.xy, at.z * at.z, at.w - radius) {
+            return id;
+        }
+    }
+    return 0u;
+}
+
+fn seen_of(id: u32, place: vec2f) -> Seen {
+    let at = bitcast<vec4f>(textureLoad(projected, projected_at(id - 1u, 0u)));
+    let picture = picture_unpacked(textureLoad(projected, projected_at(id - 1u, 1u)));
+    let offset = place - at.xy;
+    let radius = at.z * at.w / (focal_px * 255.0);
+    let margin = margin_bytes(vec4f(picture.erosion)).x;
+    return Seen(offset, texel_of(picture, offset), picture, at.z * at.z, at.w, radius, margin, id);
 }
 
 fn walk(slot: u32, lane: u32, is_empty: bool) {
     let px = block_px(slot, lane);
-    for (var pixel = 0u; pixel < 16u; pixel++) {
-        let at = px + pixel_of(pixel);
-        // Nothing is nearer than what lies beyond the screen.
-        distances[pixel] = select(0.0, NOWHERE, all(vec2f(at) < view.size_px));
-        ids[pixel] = 0u;
-        if !is_empty {
-            distances[pixel] = min(distance_of(textureLoad(depth_layer, at, 0)), distances[pixel]);
-        }
-    }
+    begin_walk();
+    begin(px, is_empty);
     let place = vec2f(px) + 0.5;
     for (var levels = summary.levels; levels != 0u; levels &= levels - 1u) {
         var list = list_of(firstTrailingBit(levels), px);
         loop {
-            let id = next_of(&list, rank_limit(farthest()));
+            let id = next_seen(&list, place);
             if id == 0u {
                 break;
             }
-            let at = bitcast<vec4f>(textureLoad(projected, projected_at(id - 1u, 0u)));
-            let picture = picture_unpacked(textureLoad(projected, projected_at(id - 1u, 1u)));
-            let offset = place - at.xy;
-            let radius = at.z * at.w / (view.focal_px * 255.0);
-            let margin = margin_byte(picture.erosion);
-            let seen = Seen(offset, texel_of(picture, offset), picture, at.z * at.z, at.w, radius, margin, id);
+            let seen = seen_of(id, place);
             // Spelled out, so that what each pixel sees stays in registers.
             look(seen, 0u);
             look(seen, 1u);
             look(seen, 2u);
             look(seen, 3u);
-            look(seen, 4u);
-            look(seen, 5u);
-            look(seen, 6u);
-            look(seen, 7u);
-            look(seen, 8u);
-            look(seen, 9u);
-            look(seen, 10u);
-            look(seen, 11u);
-            look(seen, 12u);
-            look(seen, 13u);
-            look(seen, 14u);
-            look(seen, 15u);
         }
     }
     // Two pixels to a texel.
-    for (var pixel = 0u; pixel < 16u; pixel += 2u) {
-        let left = vec2u(ids[pixel], bitcast<u32>(depth_of(distances[pixel])));
-        let right = vec2u(ids[pixel + 1u], bitcast<u32>(depth_of(distances[pixel + 1u])));
-        textureStore(found, (px + pixel_of(pixel)) / vec2u(2u, 1u), vec4u(left, right));
+    for (var row = 0u; row < 4u; row++) {
+        let id = ids[row];
+        let depth = bitcast<vec4u>(near / max(distances[row], vec4f(near)));
+        let at = vec2u(px.x / 2u, px.y + row);
+        textureStore(found, at, vec4u(id.x, depth.x, id.y, depth.y));
+        textureStore(found, at + vec2u(1u, 0u), vec4u(id.z, depth.z, id.w, depth.w));
     }
 }
 

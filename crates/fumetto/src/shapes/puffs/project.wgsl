@@ -6,7 +6,7 @@
 @group(0) @binding(4) var<uniform> lights: Lights;
 @group(0) @binding(5) var<storage, read> puffs: array<Puff>;
 // As in `Summary`.
-@group(0) @binding(6) var<storage, read_write> summary: array<atomic<u32>, 4>;
+@group(0) @binding(6) var<storage, read_write> summary: array<atomic<u32>, 5>;
 @group(0) @binding(7) var projected: texture_storage_2d<rgba32uint, write>;
 
 fn picture_of(puff: Puff, sprite: Sprite) -> Picture {
@@ -57,7 +57,9 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: ve
     let ink_distance = select(NOWHERE, sprite.distance + style.ink_offset * 2.0 * puff.radius, width_px > 0.0);
     textureStore(projected, projected_at(item, 2u), vec4u(bitcast<u32>(reach_px), puff.look, puff.fade, bitcast<u32>(ink_distance)));
     textureStore(projected, projected_at(item, 3u), ink_of(puff, style, sprite, width_px));
-    let depth = bitcast<u32>(depth_of(sprite.distance - puff.radius));
+    let nearest = sprite.distance - puff.radius;
+    let depth = bitcast<u32>(depth_of(nearest));
     atomicMax(&summary[0], depth);
     atomicMax(&summary[1], ~depth);
+    atomicMax(&summary[4], ~bitcast<u32>(max(ink_distance - nearest, 0.0)));
 }

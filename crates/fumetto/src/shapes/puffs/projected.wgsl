@@ -33,8 +33,8 @@ fn picture_unpacked(packed: vec4u) -> Picture {
     return Picture(middle, bitcast<vec2f>(packed.xy), bitcast<f32>(packed.w));
 }
 
-// A margin as `heights` holds it. Bytes are rounded there: a place is inside where it is so by half a step.
-fn margin_byte(margin: f32) -> f32 {
+// Margins as `heights` holds them. Bytes are rounded there: a place is inside where it is so by half a step.
+fn margin_bytes(margin: vec4f) -> vec4f {
     return (margin + 0.5) * (255.0 / 1.5) + 0.5;
 }
 

@@ -24,20 +24,49 @@ fn pixel_of(index: u32) -> vec2u {
     return vec2u(index % 4u, index / 4u);
 }
 
-// How far each pixel sees.
-var<private> distances: array<f32, 16>;
+// The pixels of a row of a block.
+const ACROSS: vec4u = vec4u(0u, 1u, 2u, 3u);
+
+// How far each pixel sees, row by row.
+var<private> distances: array<vec4f, 4>;
 
 fn farthest() -> f32 {
-    var far = distances[0];
-    for (var pixel = 1u; pixel < 16u; pixel++) {
-        far = max(far, distances[pixel]);
-    }
-    return far;
+    let far = max(max(distances[0], distances[1]), max(distances[2], distances[3]));
+    return max(max(far.x, far.y), max(far.z, far.w));
+}
+
+fn row_reaches(row: u32, offset: vec2f, reach_px2: f32, distance: f32) -> bool {
+    let across = offset.x + vec4f(ACROSS);
+    let down = offset.y + f32(row);
+    return any((across * across + down * down <= vec4f(reach_px2)) & (distances[row] >= vec4f(distance)));
+}
+
+// Whether any pixel of the block is within a circle around a middle and sees as far as `distance`; the first
+// pixel is `offset` from the middle.
+fn reaches(offset: vec2f, reach_px2: f32, distance: f32) -> bool {
+    let upper = row_reaches(0u, offset, reach_px2, distance) | row_reaches(1u, offset, reach_px2, distance);
+    let lower = row_reaches(2u, offset, reach_px2, distance) | row_reaches(3u, offset, reach_px2, distance);
+    return upper | lower;
+}
+
+// What is read of buffers, once and in no loop: software rasterisers do that for one invocation after another.
+var<private> near: f32;
+var<private> focal_px: f32;
+// What is added to the logarithm of a distance, and what that is then multiplied by, to make a rank.
+var<private> rank_scale: vec2f;
+
+fn begin_walk() {
+    near = view.near;
+    focal_px = view.focal_px;
+    let nearest = bitcast<f32>(summary.nearest);
+    let octaves = log2(nearest / bitcast<f32>(~summary.farthest));
+    rank_scale = vec2f(log2(nearest / near), 65535.0 / max(octaves, 1e-4));
 }
 
 // Rank beyond which nothing is nearer than that; a little more, for logarithms are not exact.
 fn rank_limit(far: f32) -> u32 {
-    return min(u32(rank_of(depth_of(far), summary)) + 8u, 65535u);
+    let rank = (log2(max(far, near)) + rank_scale.x) * rank_scale.y;
+    return u32(clamp(rank + 8.0, 0.0, 65535.0));
 }
 
 // A block's list of one level.
@@ -49,7 +78,7 @@ struct List {
 }
 
 fn list_of(level: u32, px: vec2u) -> List {
-    let bounds = tiles[level_tile(bins, level, px)];
+    let bounds = tiles[level_tile(level, px)];
     let block = (px >> vec2u(level + 2u)) & vec2u(3u);
     return List(bounds.x, bounds.y, 1u << (block.y * 4u + block.x));
 }
