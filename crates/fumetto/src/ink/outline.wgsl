@@ -109,7 +109,8 @@ fn begin(px: vec2u, is_over: bool) {
 
 // The next puff + 1 whose ink billboard is nearer than something that is seen within its reach.
 fn next_line(list: ptr<function, List>, place: vec2f) -> u32 {
-    let rank = rank_limit(farthest() - ink_behind);
+    measure_rows();
+    let rank = rank_limit(farthest_of(rows) - ink_behind);
     loop {
         let id = next_of(list, rank);
         if id == 0u {
@@ -153,7 +154,10 @@ fn walk(slot: u32, lane: u32, is_over: bool) {
     ink_behind = bitcast<f32>(~summary.ink_behind);
     begin(px, is_over);
     let place = vec2f(px) + 0.5;
-    for (var levels = summary.levels; levels != 0u; levels &= levels - 1u) {
+    // Some level has a list, or the tile would not be walked. The loop ends with its test: software rasterisers go
+    // through what follows one once more, though for nobody.
+    var levels = summary.levels;
+    loop {
         var list = list_of(firstTrailingBit(levels), px);
         loop {
             let id = next_line(&list, place);
@@ -165,6 +169,10 @@ fn walk(slot: u32, lane: u32, is_over: bool) {
             look(line, 1u);
             look(line, 2u);
             look(line, 3u);
+        }
+        levels &= levels - 1u;
+        if levels == 0u {
+            break;
         }
     }
     // Eight pixels to a texel.

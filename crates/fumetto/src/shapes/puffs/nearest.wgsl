@@ -86,7 +86,8 @@ fn begin(px: vec2u, is_empty: bool) {
 
 // The next puff + 1 that may be the nearest in any pixel; 0 when there is none.
 fn next_seen(list: ptr<function, List>, place: vec2f) -> u32 {
-    let rank = rank_limit(farthest());
+    measure_rows();
+    let rank = rank_limit(farthest_of(rows));
     loop {
         let id = next_of(list, rank);
         if id == 0u {
@@ -116,7 +117,10 @@ fn walk(slot: u32, lane: u32, is_empty: bool) {
     begin_walk();
     begin(px, is_empty);
     let place = vec2f(px) + 0.5;
-    for (var levels = summary.levels; levels != 0u; levels &= levels - 1u) {
+    // Some level has a list, or the tile would not be walked. The loop ends with its test: software rasterisers go
+    // through what follows one once more, though for nobody.
+    var levels = summary.levels;
+    loop {
         var list = list_of(firstTrailingBit(levels), px);
         loop {
             let id = next_seen(&list, place);
@@ -129,6 +133,10 @@ fn walk(slot: u32, lane: u32, is_empty: bool) {
             look(seen, 1u);
             look(seen, 2u);
             look(seen, 3u);
+        }
+        levels &= levels - 1u;
+        if levels == 0u {
+            break;
         }
     }
     // Two pixels to a texel.

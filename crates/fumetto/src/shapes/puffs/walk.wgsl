@@ -30,23 +30,29 @@ const ACROSS: vec4u = vec4u(0u, 1u, 2u, 3u);
 // How far each pixel sees, row by row.
 var<private> distances: array<vec4f, 4>;
 
-fn farthest() -> f32 {
-    let far = max(max(distances[0], distances[1]), max(distances[2], distances[3]));
-    return max(max(far.x, far.y), max(far.z, far.w));
+// How far anything sees in each row, as it was measured last.
+var<private> rows: vec4f;
+
+fn farthest_of(four: vec4f) -> f32 {
+    return max(max(four.x, four.y), max(four.z, four.w));
 }
 
-fn row_reaches(row: u32, offset: vec2f, reach_px2: f32, distance: f32) -> bool {
-    let across = offset.x + vec4f(ACROSS);
-    let down = offset.y + f32(row);
-    return any((across * across + down * down <= vec4f(reach_px2)) & (distances[row] >= vec4f(distance)));
+fn measure_rows() {
+    rows = vec4f(
+        farthest_of(distances[0]),
+        farthest_of(distances[1]),
+        farthest_of(distances[2]),
+        farthest_of(distances[3]),
+    );
 }
 
-// Whether any pixel of the block is within a circle around a middle and sees as far as `distance`; the first
-// pixel is `offset` from the middle.
+// Whether any row comes within a circle around a middle and sees as far as `distance`; the first pixel is `offset`
+// from the middle.
 fn reaches(offset: vec2f, reach_px2: f32, distance: f32) -> bool {
-    let upper = row_reaches(0u, offset, reach_px2, distance) | row_reaches(1u, offset, reach_px2, distance);
-    let lower = row_reaches(2u, offset, reach_px2, distance) | row_reaches(3u, offset, reach_px2, distance);
-    return upper | lower;
+    // Of the pixel that is nearest to the middle.
+    let across = max(max(offset.x, -3.0 - offset.x), 0.0);
+    let down = offset.y + vec4f(ACROSS);
+    return any((across * across + down * down <= vec4f(reach_px2)) & (rows >= vec4f(distance)));
 }
 
 // What is read of buffers, once and in no loop: software rasterisers do that for one invocation after another.
