@@ -4,8 +4,8 @@
 //
 // Ours: lines taper where what lies behind comes close, and thin toward the light.
 
-@group(0) @binding(10) var id_layer: texture_2d<u32>;
-@group(0) @binding(11) var depth_layer: texture_depth_2d;
+@group(0) @binding(9) var id_layer: texture_2d<u32>;
+@group(0) @binding(10) var depth_layer: texture_depth_2d;
 
 // How far away is what each pixel shows, and a bit for each that shows anything of this cel.
 var<private> behind: array<vec4f, 4>;
@@ -186,7 +186,7 @@ fn walk(slot: u32, lane: u32, is_over: bool) {
 @compute @workgroup_size(64)
 fn first(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: vec3u, @builtin(local_invocation_index) lane: u32) {
     let slot = slot_of(group, groups, lane);
-    if slot < draw[1] {
+    if slot < summary.covered {
         walk(slot, lane, false);
     }
 }
@@ -195,7 +195,7 @@ fn first(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: v
 @compute @workgroup_size(64)
 fn over(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: vec3u, @builtin(local_invocation_index) lane: u32) {
     let slot = slot_of(group, groups, lane);
-    if slot < draw[1] {
+    if slot < summary.covered {
         walk(slot, lane, true);
     }
 }

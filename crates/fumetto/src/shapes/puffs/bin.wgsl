@@ -3,17 +3,19 @@
 @group(0) @binding(1) var<uniform> bins: Bins;
 @group(0) @binding(2) var projected: texture_storage_2d<rgba32uint, read>;
 // As in `Summary`.
-@group(0) @binding(3) var<storage, read_write> summary: array<atomic<u32>, 5>;
+@group(0) @binding(3) var<storage, read_write> summary: array<atomic<u32>, 6>;
 // How many are in each slice of a tile; then where the next one of a slice goes.
 @group(0) @binding(4) var<storage, read_write> slices: array<atomic<u32>>;
 // Where each tile's list begins and ends.
 @group(0) @binding(5) var<storage, read_write> tiles: array<vec2u>;
 // Column and row of those of level 0 that show anything.
 @group(0) @binding(6) var<storage, read_write> covered: array<u32>;
-// Arguments of a draw over these, and of a dispatch.
-@group(0) @binding(7) var<storage, read_write> draw: array<atomic<u32>, 4>;
-@group(0) @binding(8) var<storage, read_write> dispatch: array<atomic<u32>, 3>;
-@group(0) @binding(9) var entries: texture_storage_2d<rg32uint, write>;
+// The same in runs.
+@group(0) @binding(7) var<storage, read_write> runs: array<u32>;
+// Arguments of a draw over the runs, and of a dispatch over the tiles.
+@group(0) @binding(8) var<storage, read_write> draw: array<atomic<u32>, 4>;
+@group(0) @binding(9) var<storage, read_write> dispatch: array<atomic<u32>, 3>;
+@group(0) @binding(10) var entries: texture_storage_2d<rg32uint, write>;
 
 // The tiles that a puff may touch.
 struct Footprint {
@@ -38,7 +40,7 @@ fn footprint_of(item: u32) -> Footprint {
     let tile_px = f32(TILE_PX << level);
     let low = clamp(floor((at.xy - reach_px) / tile_px), vec2f(0.0), vec2f(grid.yz));
     let end = clamp(floor((at.xy + reach_px) / tile_px) + 1.0, vec2f(0.0), vec2f(grid.yz));
-    let known = Summary(atomicLoad(&summary[0]), atomicLoad(&summary[1]), 0u, 0u, 0u);
+    let known = Summary(atomicLoad(&summary[0]), atomicLoad(&summary[1]), 0u, 0u, 0u, 0u);
     let rank = u32(rank_of(depth_of(at.w * (1.0 - at.z / view.focal_px)), known));
     return Footprint(at.xy, reach_px, tile_px, grid, vec2u(low), vec2u(end), rank);
 }
@@ -115,28 +117,39 @@ fn place(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: v
     }
 }
 
-// Lists the tiles in which there is anything, of any level.
-@compute @workgroup_size(256)
-fn cover(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: vec3u, @builtin(local_invocation_index) lane: u32) {
-    let tile = item_of(group, groups, lane);
-    let grid = bins.level[0];
-    if tile >= grid.y * grid.z {
-        return;
-    }
-    let at = vec2u(tile % grid.y, tile / grid.y);
+// A bit for each covered tile in each row of a workgroup's.
+var<workgroup> rows: array<atomic<u32>, COVER_TILES.y>;
+
+fn shows_anything(at: vec2u) -> bool {
     var any = false;
     for (var levels = atomicLoad(&summary[3]); levels != 0u; levels &= levels - 1u) {
         let list = tiles[level_tile(firstTrailingBit(levels), at * TILE_PX)];
         any |= list.y > list.x;
     }
-    if any {
-        let index = atomicAdd(&draw[1], 1u);
+    return any;
+}
+
+// Lists the tiles in which there is anything, of any level; and runs of them, for few large rectangles are set up sooner
+// than many small ones.
+@compute @workgroup_size(COVER_TILES.x, COVER_TILES.y)
+fn cover(@builtin(global_invocation_id) id: vec3u, @builtin(local_invocation_id) lane: vec3u) {
+    let at = id.xy;
+    if all(at < bins.level[0].yz) && shows_anything(at) {
+        let index = atomicAdd(&summary[5], 1u);
         covered[index] = at.x | (at.y << 16u);
-        atomicStore(&draw[0], 6u);
         let group = index / WALK_TILES;
         atomicMax(&dispatch[0], min(group + 1u, WALK_ROW));
         atomicMax(&dispatch[1], group / WALK_ROW + 1u);
         atomicStore(&dispatch[2], 1u);
+        atomicOr(&rows[lane.y], 1u << lane.x);
+    }
+    workgroupBarrier();
+    let row = atomicLoad(&rows[lane.y]);
+    let begins = (row & ~(row << 1u)) >> lane.x;
+    if (begins & 1u) != 0u {
+        let index = atomicAdd(&draw[1], 1u);
+        runs[index] = run_packed(at, countTrailingZeros(~(row >> lane.x)));
+        atomicStore(&draw[0], 6u);
     }
 }
 

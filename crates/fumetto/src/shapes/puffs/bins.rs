@@ -16,6 +16,8 @@ use crate::gpu::{Frame, Gpu, Slot, kernels, shader, workgroups};
 /// Width of a tile of the finest level, in pixels, and slices of depth. Also in `bins.wgsl`.
 const TILE_PX: u32 = 16;
 const SLICES: u32 = 32;
+/// Tiles that a workgroup of `cover` has: columns and rows. Also in `bins.wgsl`.
+const COVER_TILES: [u32; 2] = [32, 8];
 /// Enough for any texture. Also in `bins.wgsl`.
 const MAX_LEVELS: usize = 12;
 /// Tiles that a puff is listed in at most: three by three.
@@ -31,10 +33,9 @@ const PROJECTED_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba32Uint;
 const FOUND_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba32Uint;
 
 /// What walks the lists binds first, as `walk.wgsl` tells; [`Bins::walk`] has the resources.
-pub(crate) const WALK_SLOTS: [Slot; 10] = [
+pub(crate) const WALK_SLOTS: [Slot; 9] = [
     Slot::Uniform,
     Slot::Uniform,
-    Slot::Read,
     Slot::Read,
     Slot::Read,
     Slot::Read,
@@ -58,8 +59,10 @@ pub(crate) struct Bins {
     summary: wgpu::Buffer,
     slices: wgpu::Buffer,
     tiles: wgpu::Buffer,
-    /// Tiles of the finest level that show anything, and the arguments of a draw over them and of a dispatch.
+    /// Tiles of the finest level that show anything.
     covered: wgpu::Buffer,
+    /// Runs of them, and the arguments of a draw over these and of a dispatch over the tiles.
+    runs: wgpu::Buffer,
     draw: wgpu::Buffer,
     pub(crate) dispatch: wgpu::Buffer,
     /// What a walk has found in each pixel of these tiles.
@@ -120,10 +123,11 @@ impl Bins {
                 [ENTRY_ROW, rows(MOST_TILES * count, ENTRY_ROW)],
                 ENTRY_FORMAT,
             ),
-            summary: buffer("shapes.puffs.bins.summary", 5, plain),
+            summary: buffer("shapes.puffs.bins.summary", 6, plain),
             slices: buffer("shapes.puffs.bins.slices", tile_count * SLICES, plain),
             tiles: buffer("shapes.puffs.bins.tiles", tile_count * 2, plain),
             covered: buffer("shapes.puffs.bins.covered", tile_count, plain),
+            runs: buffer("shapes.puffs.bins.runs", tile_count, plain),
             draw: buffer("shapes.puffs.bins.draw", 4, indirect),
             dispatch: buffer("shapes.puffs.bins.dispatch", 3, indirect),
             found: texture(gpu, "shapes.puffs.found", found, FOUND_FORMAT),
@@ -139,7 +143,6 @@ impl Bins {
             self.summary.as_entire_binding(),
             self.tiles.as_entire_binding(),
             self.covered.as_entire_binding(),
-            self.draw.as_entire_binding(),
             TextureView(&self.entries),
             TextureView(&self.projected),
             TextureView(&subject.scene.atlas.heights),
@@ -151,7 +154,7 @@ impl Bins {
     pub(crate) fn covered(&self) -> [wgpu::BindingResource<'_>; 3] {
         [
             self.uniform.as_entire_binding(),
-            self.covered.as_entire_binding(),
+            self.runs.as_entire_binding(),
             wgpu::BindingResource::TextureView(&self.found),
         ]
     }
@@ -212,6 +215,7 @@ impl Binning {
             Write,
             Write,
             Write,
+            Write,
             WriteTexels(ENTRY_FORMAT),
         ];
         let [count, place, cover, list] =
@@ -233,17 +237,20 @@ impl Binning {
             bins.slices.as_entire_binding(),
             bins.tiles.as_entire_binding(),
             bins.covered.as_entire_binding(),
+            bins.runs.as_entire_binding(),
             bins.draw.as_entire_binding(),
             bins.dispatch.as_entire_binding(),
             wgpu::BindingResource::TextureView(&bins.entries),
         ];
-        for (label, pipeline, items) in [
-            ("shapes.puffs.count", &self.count, bins.count),
-            ("shapes.puffs.place", &self.place, bins.tile_count),
-            ("shapes.puffs.cover", &self.cover, bins.tile_count),
-            ("shapes.puffs.list", &self.list, bins.count),
+        let grid = bins.size.map(|pixels| pixels.div_ceil(TILE_PX));
+        let cover = [grid[0].div_ceil(COVER_TILES[0]), grid[1].div_ceil(COVER_TILES[1]), 1];
+        for (label, pipeline, groups) in [
+            ("shapes.puffs.count", &self.count, workgroups(bins.count)),
+            ("shapes.puffs.place", &self.place, workgroups(bins.tile_count)),
+            ("shapes.puffs.cover", &self.cover, cover),
+            ("shapes.puffs.list", &self.list, workgroups(bins.count)),
         ] {
-            frame.compute(label, pipeline, &bindings, workgroups(items));
+            frame.compute(label, pipeline, &bindings, groups);
         }
     }
 

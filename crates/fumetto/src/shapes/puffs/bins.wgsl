@@ -11,6 +11,8 @@ const ENTRY_ROW: u32 = 4096u;
 // Tiles that a workgroup walks, and workgroups in a row of a dispatch.
 const WALK_TILES: u32 = 4u;
 const WALK_ROW: u32 = 1024u;
+// Tiles that a workgroup of `cover` has: columns and rows. Also in `bins.rs`.
+const COVER_TILES: vec2u = vec2u(32u, 8u);
 
 struct Bins {
     // Of puffs.
@@ -32,6 +34,8 @@ struct Summary {
     levels: u32,
     // Bits of the least distance from the nearest point of any puff back to its ink billboard, inverted.
     ink_behind: u32,
+    // Tiles of level 0 that show anything.
+    covered: u32,
 }
 
 // An entry is a puff's number; then its nearness, from 0 for what is nearest of all to 65535, and below that
@@ -42,6 +46,15 @@ fn entry_at(index: u32) -> vec2u {
 
 fn slice_of(rank: u32) -> u32 {
     return rank / (65536u / SLICES);
+}
+
+// A run of covered tiles side by side: the column and row of the first, and how many there are.
+fn run_packed(first: vec2u, tiles: u32) -> u32 {
+    return first.x | (first.y << 12u) | (tiles << 24u);
+}
+
+fn run_unpacked(run: u32) -> vec3u {
+    return vec3u(run & 0xfffu, (run >> 12u) & 0xfffu, run >> 24u);
 }
 
 // How far a reverse-Z depth is, on a logarithmic scale over all puffs.

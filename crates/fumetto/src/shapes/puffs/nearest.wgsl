@@ -2,7 +2,7 @@
 // & Fein 2004, section 1.4). Each list is walked until nothing can be nearer than what is seen. Writes puff + 1
 // and the bits of the depth. What the puff looks like there is worked out once per pixel afterwards.
 
-@group(0) @binding(10) var depth_layer: texture_depth_2d;
+@group(0) @binding(9) var depth_layer: texture_depth_2d;
 
 // What each pixel sees: a puff + 1.
 var<private> ids: array<vec4u, 4>;
@@ -152,7 +152,7 @@ fn walk(slot: u32, lane: u32, is_empty: bool) {
 @compute @workgroup_size(64)
 fn alone(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: vec3u, @builtin(local_invocation_index) lane: u32) {
     let slot = slot_of(group, groups, lane);
-    if slot < draw[1] {
+    if slot < summary.covered {
         walk(slot, lane, true);
     }
 }
@@ -161,7 +161,7 @@ fn alone(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: v
 @compute @workgroup_size(64)
 fn among(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: vec3u, @builtin(local_invocation_index) lane: u32) {
     let slot = slot_of(group, groups, lane);
-    if slot < draw[1] {
+    if slot < summary.covered {
         walk(slot, lane, false);
     }
 }

@@ -6,7 +6,7 @@
 @group(0) @binding(4) var<uniform> lights: Lights;
 @group(0) @binding(5) var<storage, read> puffs: array<Puff>;
 // As in `Summary`.
-@group(0) @binding(6) var<storage, read_write> summary: array<atomic<u32>, 5>;
+@group(0) @binding(6) var<storage, read_write> summary: array<atomic<u32>, 6>;
 @group(0) @binding(7) var projected: texture_storage_2d<rgba32uint, write>;
 
 fn picture_of(puff: Puff, sprite: Sprite) -> Picture {

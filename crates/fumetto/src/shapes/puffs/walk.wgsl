@@ -4,12 +4,10 @@
 @group(0) @binding(2) var<storage, read> summary: Summary;
 @group(0) @binding(3) var<storage, read> tiles: array<vec2u>;
 @group(0) @binding(4) var<storage, read> covered: array<u32>;
-// The second is how many are covered.
-@group(0) @binding(5) var<storage, read> draw: array<u32, 4>;
-@group(0) @binding(6) var entries: texture_storage_2d<rg32uint, read>;
-@group(0) @binding(7) var projected: texture_storage_2d<rgba32uint, read>;
-@group(0) @binding(8) var heights: texture_storage_2d<rg32uint, read>;
-@group(0) @binding(9) var found: texture_storage_2d<rgba32uint, write>;
+@group(0) @binding(5) var entries: texture_storage_2d<rg32uint, read>;
+@group(0) @binding(6) var projected: texture_storage_2d<rgba32uint, read>;
+@group(0) @binding(7) var heights: texture_storage_2d<rg32uint, read>;
+@group(0) @binding(8) var found: texture_storage_2d<rgba32uint, write>;
 
 fn slot_of(group: vec3u, groups: vec3u, lane: u32) -> u32 {
     return (group.y * groups.x + group.x) * WALK_TILES + lane / 16u;
