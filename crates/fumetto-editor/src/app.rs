@@ -14,7 +14,9 @@ use crate::commands::{self, Command};
 use crate::dialogs::{Dialogs, Purpose};
 use crate::examples::EXAMPLES;
 use crate::jobs::{Job, Work};
-use crate::panels::{self, output::Output, palette::Palette, styles::Styles, tree::Tree};
+use crate::panels::{
+    self, inspector::Inspector, output::Output, palette::Palette, styles::Styles, tree::Tree,
+};
 use crate::project::Project;
 use crate::request::{Request, Requests};
 use crate::selection;
@@ -37,6 +39,7 @@ pub struct App {
     settings: Settings,
     palette: Palette,
     tree: Tree,
+    inspector: Inspector,
     /// What the inspector shows.
     selection: Path,
     /// Where the text is to be shown.
@@ -80,6 +83,7 @@ impl App {
             settings,
             palette: Palette::default(),
             tree: Tree::default(),
+            inspector: Inspector::default(),
             selection: Path::root(),
             jump: None,
             refusal: None,
@@ -120,6 +124,7 @@ impl App {
         self.refusal = None;
         self.selection = Path::root();
         self.tree = Tree::default();
+        self.inspector = Inspector::default();
         self.viewport.forget();
         self.clock = Clock::new(self.settings.pacing);
     }
@@ -147,6 +152,11 @@ impl App {
                 self.tree.ui(ui, self.project.document(), &self.selection, requests);
             });
         }
+        if self.settings.inspector {
+            Panel::right("inspector").default_size(320.0).size_range(240.0..=560.0).show(ui, |ui| {
+                self.inspector.ui(ui, self.project.document(), &self.selection, requests);
+            });
+        }
         let others: Vec<&str> = self
             .refusal
             .as_deref()
@@ -157,7 +167,7 @@ impl App {
         if !others.is_empty() || !self.project.report().is_empty() {
             Panel::bottom("problems").resizable(true).show(ui, |ui| {
                 egui::ScrollArea::vertical().max_height(120.0).auto_shrink([false, true]).show(ui, |ui| {
-                    panels::problems::ui(ui, self.project.report(), &others, requests);
+                    panels::problems::ui(ui, &self.project, &others, requests);
                 });
             });
         }

@@ -38,6 +38,15 @@ pub(crate) fn object(selected: &Path) -> Option<Path> {
     }
 }
 
+/// What is to be selected so that the value at `path` is seen: a style, an element, or the scene.
+pub(crate) fn holder(path: &Path) -> Path {
+    let is_style = |step: &Step| matches!(step, Step::Key(key) if key == "style");
+    match path.steps().iter().position(is_style) {
+        Some(at) if at == 0 || at == 2 => Path::from(path.steps()[..=at].to_vec()),
+        _ => element(path).map_or_else(Path::root, |(list, index)| list.index(index)),
+    }
+}
+
 /// A copy behind the selected element, and what is selected then.
 pub(crate) fn duplicate(selected: &Path) -> Option<(Edit, Path)> {
     let (list, index) = element(selected)?;
@@ -97,6 +106,18 @@ mod tests {
         assert_eq!(next("object[0].force[1].rate").as_deref(), Some("object[0].force[0]"));
         assert_eq!(next("camera[0]").as_deref(), Some(""));
         assert_eq!(next("style"), None);
+    }
+
+    #[test]
+    fn a_value_is_seen_in_what_holds_it() {
+        for (value, seen) in [
+            ("object[0].force[1].rate", "object[0].force[1]"),
+            ("object[0].style.ink.width", "object[0].style"),
+            ("style.tones[2]", "style"),
+            ("time.fps", ""),
+        ] {
+            assert_eq!(holder(&path(value)), path(seen), "{value}");
+        }
     }
 
     #[test]

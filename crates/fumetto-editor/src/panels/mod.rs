@@ -1,5 +1,6 @@
 //! The parts of the window round the picture. Each reads the state and asks for changes; none makes any.
 
+pub(crate) mod inspector;
 pub(crate) mod menu;
 #[cfg(not(target_arch = "wasm32"))]
 pub(crate) mod output;

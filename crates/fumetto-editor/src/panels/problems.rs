@@ -1,12 +1,15 @@
-//! What is wrong with the scene; a click leads to where it is.
+//! What is wrong with the scene; a click leads to where it is, in the text and in the tree.
 
 use egui::{RichText, Ui};
-use fumetto_scene::{Report, Severity};
+use fumetto_scene::Severity;
 
+use crate::project::Project;
 use crate::request::{Request, Requests};
+use crate::selection;
 
 /// The list of problems and of what went wrong otherwise.
-pub(crate) fn ui(ui: &mut Ui, report: &Report, others: &[&str], requests: &mut Requests) {
+pub(crate) fn ui(ui: &mut Ui, project: &Project, others: &[&str], requests: &mut Requests) {
+    let report = project.report();
     for other in others {
         ui.colored_label(ui.visuals().warn_fg_color, *other);
     }
@@ -23,7 +26,12 @@ pub(crate) fn ui(ui: &mut Ui, report: &Report, others: &[&str], requests: &mut R
         if let Some(help) = &problem.help {
             ui.indent("help", |ui| ui.weak(help));
         }
-        if let (true, Some(span)) = (entry.clicked(), &problem.span) {
+        // What is wrong in a style file is not in the scene's text.
+        let span = problem.span.as_ref().filter(|_| problem.file == project.name());
+        if let (true, Some(span)) = (entry.clicked(), span) {
+            if let Some(path) = project.document().path_at(span.start) {
+                requests.push(Request::Select(selection::holder(&path)));
+            }
             requests.push(Request::ShowText(span.clone()));
         }
     }

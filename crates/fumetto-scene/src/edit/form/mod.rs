@@ -39,7 +39,7 @@ pub struct Field {
     pub docs: Docs,
     /// What it can be.
     pub kind: Kind,
-    /// Of several shapes, the one that it has: which of [`Kind::Union`]'s.
+    /// Of several shapes, the one that it has, or that counts where the text says nothing: which of [`Kind::Union`]'s.
     pub present: Option<usize>,
     /// Whether it must be there.
     pub is_required: bool,
@@ -163,10 +163,6 @@ fn field(document: &Document, path: Path, node: Node, is_required: bool) -> Opti
         true => document.get(&path.index(0)).map(|first| Value::Array(vec![first])),
         false => document.get(&path),
     };
-    let present = match (&kind, &value) {
-        (Kind::Union(all), Some(value)) => all.iter().position(|one| is_present(one, value)),
-        _ => None,
-    };
     let shown = value.as_ref().filter(|_| count <= LONGEST && !matches!(kind, Kind::Table)).cloned();
     let key = match path.steps().last() {
         Some(Step::Key(key)) => docs::label(key),
@@ -175,6 +171,10 @@ fn field(document: &Document, path: Path, node: Node, is_required: bool) -> Opti
     };
     let default = inherited(document, &path).or_else(|| start::default_of(node));
     let default = default.or_else(|| docs::stated_default(about));
+    let present = match (&kind, value.as_ref().or(default.as_ref())) {
+        (Kind::Union(all), Some(value)) => all.iter().position(|one| is_present(one, value)),
+        _ => None,
+    };
     let own = match path.steps().last() {
         Some(Step::Key(key)) => key.as_str(),
         _ => "",
