@@ -60,18 +60,19 @@ pub struct App {
 }
 
 impl App {
-    /// Begins with the first example.
+    /// Begins with the first example. What is not saved is kept in the folder `unsaved`, and what was left there is
+    /// offered again.
     ///
     /// # Errors
     /// None today: the examples can be read.
     pub fn new(
         creation: &eframe::CreationContext<'_>,
+        unsaved: &std::path::Path,
     ) -> Result<Self, Box<dyn std::error::Error + Send + Sync>> {
         let first = &EXAMPLES[0];
         let project = Project::new(first.name, first.text.to_owned(), first.files())?;
         let settings: Settings =
             creation.storage.and_then(|storage| eframe::get_value(storage, SETTINGS)).unwrap_or_default();
-        let kept = eframe::storage_dir("fumetto").unwrap_or_else(std::env::temp_dir).join("unsaved");
         let context = &creation.egui_ctx;
         let stage = creation.wgpu_render_state.clone().map(|render| Stage::new(render, context.clone()));
         Ok(Self {
@@ -92,8 +93,8 @@ impl App {
             output: Output::default(),
             jobs: Vec::new(),
             dialogs: Dialogs::default(),
-            autosave: Autosave::new(&kept),
-            left: Left::all(&kept),
+            autosave: Autosave::new(unsaved),
+            left: Left::all(unsaved),
             leaving: None,
             may_quit: false,
         })
@@ -118,6 +119,24 @@ impl App {
             && self.stage.as_ref().is_none_or(|stage| self.viewport.is_settled(stage, self.clock.frame()))
     }
 
+    /// The scene as it would be saved.
+    #[must_use]
+    pub fn text(&self) -> &str {
+        self.project.document().text()
+    }
+
+    /// The frame that is to be seen.
+    #[must_use]
+    pub fn frame(&self) -> u32 {
+        self.clock.frame()
+    }
+
+    /// Whether the gallery of styles shows a picture of each.
+    #[must_use]
+    pub fn has_full_gallery(&self) -> bool {
+        self.styles.is_full()
+    }
+
     fn show(&mut self, project: Project) {
         self.project = project;
         self.played = None;
@@ -140,6 +159,23 @@ impl App {
         }
     }
 
+    /// What is wrong, and what there is to say, where there is anything.
+    fn problems_ui(&mut self, ui: &mut Ui) {
+        let refusal = self.refusal.as_deref();
+        let failure = self.stage.as_ref().and_then(Stage::error);
+        let troubles: Vec<&str> = refusal.into_iter().chain(failure).collect();
+        let notes = self.stage.as_ref().map_or(&[][..], Stage::notes);
+        if troubles.is_empty() && notes.is_empty() && self.project.report().is_empty() {
+            return;
+        }
+        let requests = &mut self.requests;
+        Panel::bottom("problems").resizable(true).show(ui, |ui| {
+            egui::ScrollArea::vertical().max_height(120.0).auto_shrink([false, true]).show(ui, |ui| {
+                panels::problems::ui(ui, &self.project, (&troubles, notes), requests);
+            });
+        });
+    }
+
     fn panels_ui(&mut self, ui: &mut Ui) {
         self.selection = selection::nearest(self.project.document(), &self.selection);
         let requests = &mut self.requests;
@@ -157,20 +193,8 @@ impl App {
                 self.inspector.ui(ui, self.project.document(), &self.selection, requests);
             });
         }
-        let others: Vec<&str> = self
-            .refusal
-            .as_deref()
-            .into_iter()
-            .chain(self.stage.as_ref().and_then(Stage::error))
-            .chain(self.stage.iter().flat_map(Stage::notes).map(String::as_str))
-            .collect();
-        if !others.is_empty() || !self.project.report().is_empty() {
-            Panel::bottom("problems").resizable(true).show(ui, |ui| {
-                egui::ScrollArea::vertical().max_height(120.0).auto_shrink([false, true]).show(ui, |ui| {
-                    panels::problems::ui(ui, &self.project, &others, requests);
-                });
-            });
-        }
+        self.problems_ui(ui);
+        let requests = &mut self.requests;
         if self.settings.styles {
             Panel::right("styles").default_size(260.0).size_range(160.0..=520.0).show(ui, |ui| {
                 let drawn = self.stage.as_mut().and_then(|stage| stage.draw_style(&self.project));
@@ -249,8 +273,8 @@ impl App {
                 ctx.set_theme(if dark { egui::Theme::Light } else { egui::Theme::Dark });
             }
             Command::Palette => self.palette.open(),
-            Command::FrameAll => self.frame(&Path::root().key("object")),
-            Command::FrameSelected => self.frame(&self.selection.clone()),
+            Command::FrameAll => self.look_at(&Path::root().key("object")),
+            Command::FrameSelected => self.look_at(&self.selection.clone()),
             Command::KeepView => self.keep_view(),
             Command::Quit => self.leave_for(Goal::Quit, ctx),
         }
@@ -259,7 +283,7 @@ impl App {
 
 impl App {
     /// Looks at what lies at `path`.
-    fn frame(&mut self, path: &Path) {
+    fn look_at(&mut self, path: &Path) {
         let found = ball(&handles(self.project.document(), path));
         if let (Some(stage), Some(ball)) = (&self.stage, found) {
             self.viewport.frame(stage, ball);

@@ -134,10 +134,15 @@ pub(crate) const ALL: &[Entry] = &[
 
 /// The commands whose keys were pressed.
 pub(crate) fn pressed(ctx: &egui::Context) -> Vec<Command> {
-    let typing = ctx.egui_wants_keyboard_input();
+    let typing = ctx.text_edit_focused();
+    let focused = ctx.memory(|memory| memory.focused().is_some());
     let mut found = Vec::new();
     // Those with more keys first: Ctrl+Shift+S is no Ctrl+S.
-    let mut entries: Vec<&Entry> = ALL.iter().filter(|entry| entry.while_typing || !typing).collect();
+    let mut entries: Vec<&Entry> = ALL
+        .iter()
+        .filter(|entry| entry.while_typing || !typing)
+        .filter(|entry| !(focused && entry.shortcut.as_ref().is_some_and(steers_focus)))
+        .collect();
     entries.sort_by_key(|entry| entry.shortcut.is_none_or(|keys| !keys.modifiers.shift));
     for entry in entries {
         if let Some(keys) = &entry.shortcut
@@ -147,6 +152,11 @@ pub(crate) fn pressed(ctx: &egui::Context) -> Vec<Command> {
         }
     }
     found
+}
+
+/// Whether a shortcut means something to whatever has the focus: Space presses a button, arrows go along a list.
+fn steers_focus(keys: &KeyboardShortcut) -> bool {
+    matches!(keys.logical_key, Key::Space | Key::ArrowLeft | Key::ArrowRight) && keys.modifiers.is_none()
 }
 
 #[cfg(test)]

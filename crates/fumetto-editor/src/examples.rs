@@ -35,11 +35,11 @@ macro_rules! example {
 
 /// All examples; the first is what a newcomer sees.
 pub(crate) const EXAMPLES: &[Example] = &[
+    example!("cumulus", "A towering cloud of puffs", "cumulus.csv"),
     example!("cloud-simple", "A cloud of a few weighted particles, as one smooth body"),
     example!("chimney", "Smoke that curls from a chimney, cut out and shaded in tones", "roof.png"),
     example!("explosion", "A burst that rolls outward and cools"),
     example!("rings", "Smoke rings that leapfrog through each other"),
-    example!("cumulus", "A towering cloud of puffs", "cumulus.csv"),
     example!("storm", "A thunderhead with an anvil", "storm.csv"),
     example!("cloud-ink", "A cloud in nothing but ink lines"),
     example!("sketch", "A cloud in strokes of a pencil, on paper"),

@@ -3,7 +3,7 @@
 use std::f32::consts::TAU;
 
 use egui::emath::Rot2;
-use egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, vec2};
+use egui::{Color32, Painter, Pos2, Rect, Response, Role, Shape, Stroke, Ui, WidgetInfo, vec2};
 
 /// What a picture shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -29,6 +29,12 @@ pub(crate) enum Icon {
     Cross,
     Up,
     Down,
+    First,
+    Previous,
+    Play,
+    Pause,
+    Next,
+    Last,
 }
 
 impl Icon {
@@ -151,7 +157,31 @@ impl Icon {
             }
             Self::Up => pen.line(&[[0.2, 0.64], [0.5, 0.32], [0.8, 0.64]]),
             Self::Down => pen.line(&[[0.2, 0.36], [0.5, 0.68], [0.8, 0.36]]),
+            Self::First => {
+                pen.bar(0.14);
+                pen.triangle(0.9, 0.28);
+            }
+            Self::Previous => pen.triangle(0.76, 0.24),
+            Self::Play => pen.triangle(0.16, 0.92),
+            Self::Pause => {
+                pen.bar(0.22);
+                pen.bar(0.62);
+            }
+            Self::Next => pen.triangle(0.24, 0.76),
+            Self::Last => {
+                pen.triangle(0.1, 0.72);
+                pen.bar(0.72);
+            }
         }
+    }
+
+    /// A button with this on it.
+    pub(crate) fn button(self, ui: &mut Ui, name: &str) -> Response {
+        let button = ui.add(egui::Button::new("").min_size(vec2(24.0, 20.0)));
+        button.widget_info(|| WidgetInfo::labeled(Role::Button, ui.is_enabled(), name));
+        let colour = ui.style().interact(&button).text_color();
+        self.paint(ui.painter(), button.rect.shrink(4.0), colour);
+        button.on_hover_text(name)
     }
 
     /// The triangle before what folds, between pointing at the name (0) and down (1).
@@ -196,6 +226,18 @@ impl Pen<'_> {
             .map(|angle| [x + radius * angle.cos(), y + radius * angle.sin()])
             .collect();
         self.line(&points);
+    }
+
+    /// An upright one; `x` is its left side.
+    fn bar(&self, x: f32) {
+        let bar = Rect::from_two_pos(self.at([x, 0.14]), self.at([x + 0.16, 0.86]));
+        self.painter.rect_filled(bar, 0.0, self.stroke.color);
+    }
+
+    /// Pointing from one place to another, each from left (0) to right (1).
+    fn triangle(&self, base: f32, tip: f32) {
+        let points = [[base, 0.14], [tip, 0.5], [base, 0.86]].map(|point| self.at(point)).to_vec();
+        self.painter.add(Shape::convex_polygon(points, self.stroke.color, Stroke::NONE));
     }
 
     fn rays(&self, count: u32, from: f32, to: f32) {

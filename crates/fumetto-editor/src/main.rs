@@ -26,7 +26,8 @@ fn main() -> anyhow::Result<()> {
         "Fumetto",
         options,
         Box::new(move |creation| {
-            let mut app = App::new(creation)?;
+            let folder = eframe::storage_dir("fumetto").unwrap_or_else(std::env::temp_dir);
+            let mut app = App::new(creation, &folder.join("unsaved"))?;
             if let Some(scene) = &args.scene {
                 app.open(scene)?;
             }

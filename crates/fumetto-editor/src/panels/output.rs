@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use egui::{ComboBox, Context, DragValue, Grid, ProgressBar, Ui};
 
+use crate::icons::Icon;
 use crate::jobs::{Job, LAYERS, Order, State, Work, name_for};
 
 /// What the window asks for.
@@ -185,5 +186,5 @@ fn jobs_ui(ui: &mut Ui, jobs: &mut Vec<Job>) {
 }
 
 fn dropped_by(ui: &mut Ui, index: usize) -> Option<usize> {
-    ui.small_button("✖").on_hover_text("Take off the list").clicked().then_some(index)
+    Icon::Cross.button(ui, "Take off the list").clicked().then_some(index)
 }

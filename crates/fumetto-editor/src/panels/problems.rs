@@ -8,10 +8,18 @@ use crate::request::{Request, Requests};
 use crate::selection;
 
 /// The list of problems and of what went wrong otherwise.
-pub(crate) fn ui(ui: &mut Ui, project: &Project, others: &[&str], requests: &mut Requests) {
+pub(crate) fn ui(
+    ui: &mut Ui,
+    project: &Project,
+    (troubles, notes): (&[&str], &[String]),
+    requests: &mut Requests,
+) {
     let report = project.report();
-    for other in others {
-        ui.colored_label(ui.visuals().warn_fg_color, *other);
+    for other in troubles {
+        ui.colored_label(ui.visuals().error_fg_color, *other);
+    }
+    for note in notes {
+        ui.weak(note);
     }
     for problem in report.problems() {
         let colour = match problem.severity {

@@ -24,6 +24,10 @@ impl Styles {
         self.pictures.insert(preset, picture);
     }
 
+    pub(crate) fn is_full(&self) -> bool {
+        self.pictures.len() == presets::names().len()
+    }
+
     pub(crate) fn ui(&self, ui: &mut Ui, project: &Project, requests: &mut Requests) {
         ui.horizontal(|ui| {
             ui.heading("Styles");

@@ -1,9 +1,10 @@
 //! The clock's controls and the bar of frames.
 
-use egui::{Role, Sense, Ui, WidgetInfo};
+use egui::{Sense, Ui, WidgetInfo};
 
 use crate::clock::{Clock, Pacing};
 use crate::commands::Command;
+use crate::icons::Icon;
 use crate::request::{Request, Requests};
 use crate::settings::Settings;
 use crate::stage::Stage;
@@ -19,18 +20,16 @@ pub(crate) fn ui(
     requests: &mut Requests,
 ) {
     ui.horizontal(|ui| {
-        let play = if clock.playing { ("⏸", "Pause") } else { ("▶", "Play") };
+        let play = if clock.playing { (Icon::Pause, "Pause") } else { (Icon::Play, "Play") };
         let buttons = [
-            ("⏮", "First frame", Command::FirstFrame),
-            ("⏴", "Previous frame", Command::PreviousFrame),
+            (Icon::First, "First frame", Command::FirstFrame),
+            (Icon::Previous, "Previous frame", Command::PreviousFrame),
             (play.0, play.1, Command::Play),
-            ("⏵", "Next frame", Command::NextFrame),
-            ("⏭", "Last frame", Command::LastFrame),
+            (Icon::Next, "Next frame", Command::NextFrame),
+            (Icon::Last, "Last frame", Command::LastFrame),
         ];
-        for (symbol, name, command) in buttons {
-            let button = ui.button(symbol).on_hover_text(name);
-            button.widget_info(|| WidgetInfo::labeled(Role::Button, true, name));
-            if button.clicked() {
+        for (icon, name, command) in buttons {
+            if icon.button(ui, name).clicked() {
                 requests.push(Request::Do(command));
             }
         }

@@ -4,6 +4,7 @@ use std::time::{Duration, Instant};
 
 use egui_kittest::{Harness, kittest::Queryable};
 use fumetto_editor::App;
+use tempfile::TempDir;
 
 /// The slowest processor has drawn a picture by then.
 const PATIENCE: Duration = Duration::from_secs(60);
@@ -11,16 +12,24 @@ const PATIENCE: Duration = Duration::from_secs(60);
 /// The editor, just opened.
 pub(crate) struct Desk {
     pub(crate) window: Harness<'static, App>,
+    /// What is not saved is kept here.
+    pub(crate) folder: TempDir,
 }
 
 impl Desk {
     pub(crate) fn open() -> Self {
+        Self::open_with(tempfile::tempdir().expect("there is room for temporary files"))
+    }
+
+    /// The editor, with what another left in `folder`.
+    pub(crate) fn open_with(folder: TempDir) -> Self {
+        let unsaved = folder.path().to_owned();
         let window = Harness::builder()
             .with_size([1280.0, 800.0])
             .with_max_steps(4)
             .wgpu()
-            .build_eframe(|creation| App::new(creation).expect("the first example opens"));
-        Self { window }
+            .build_eframe(|creation| App::new(creation, &unsaved).expect("the first example opens"));
+        Self { window, folder }
     }
 
     /// Lets time pass until something is so.
@@ -41,6 +50,16 @@ impl Desk {
     pub(crate) fn click(&mut self, label: &str) {
         self.window.get_by_label(label).click();
         self.window.run_steps(2);
+    }
+
+    /// Opens a menu, and the menus in it, and chooses an entry.
+    pub(crate) fn menu(&mut self, path: &[&str]) {
+        for entry in path {
+            // Entries that open further menus have an arrow behind their name.
+            let found = self.window.query_by_label(entry);
+            found.unwrap_or_else(|| self.window.get_by_label_contains(entry)).click();
+            self.window.run_steps(2);
+        }
     }
 
     /// The pixels of the window, for a person or a comparison.

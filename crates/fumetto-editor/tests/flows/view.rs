@@ -1,6 +1,8 @@
 use egui::{PointerButton, Pos2};
 use egui_kittest::kittest::Queryable;
 
+use fumetto_editor::App;
+
 use crate::desk::Desk;
 
 #[test]
@@ -42,4 +44,33 @@ fn share_of_difference(a: &[u8], b: &[u8]) -> f32 {
     let differing =
         a.chunks(4).zip(b.chunks(4)).filter(|(a, b)| a.iter().zip(*b).any(|(a, b)| a.abs_diff(*b) > 8));
     differing.count() as f32 / (a.len() / 4) as f32
+}
+
+#[test]
+fn the_gallery_shows_the_scene_in_every_style_and_a_click_takes_one() {
+    let mut desk = Desk::open();
+    desk.window.key_press(egui::Key::F4);
+    desk.wait_until("a full gallery", App::has_full_gallery);
+    let before = desk.look("gallery");
+    desk.click("woodcut");
+    desk.settle();
+    let after = desk.look("woodcut");
+    assert!(share_of_difference(&before, &after) > 0.05);
+    assert!(desk.window.state().text().contains("preset = \"woodcut\""));
+    desk.window.key_press_modifiers(egui::Modifiers::COMMAND, egui::Key::Z);
+    desk.window.run_steps(2);
+    assert!(!desk.window.state().text().contains("woodcut"));
+}
+
+#[test]
+fn smoke_plays_and_goes_on_where_it_was_when_its_colour_changes() {
+    let mut desk = Desk::open();
+    desk.menu(&["File", "Examples", "chimney.toml"]);
+    desk.settle();
+    desk.window.key_press(egui::Key::Space);
+    desk.wait_until("frame 12", |app| app.frame() >= 12);
+    desk.window.key_press(egui::Key::Space);
+    desk.settle();
+    desk.look("chimney");
+    assert!(desk.window.state().frame() >= 12);
 }
