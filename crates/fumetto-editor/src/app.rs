@@ -22,7 +22,7 @@ use crate::request::{Request, Requests};
 use crate::selection;
 use crate::settings::Settings;
 use crate::stage::Stage;
-use crate::view::{Viewport, ball, handles};
+use crate::view::{Viewport, ball, handles, handles_of_selected};
 
 /// Under this name the settings are kept.
 const SETTINGS: &str = "settings";
@@ -125,6 +125,12 @@ impl App {
         self.project.document().text()
     }
 
+    /// The path of what is selected; empty for the whole scene.
+    #[must_use]
+    pub fn selected(&self) -> String {
+        self.selection.to_string()
+    }
+
     /// The frame that is to be seen.
     #[must_use]
     pub fn frame(&self) -> u32 {
@@ -212,7 +218,7 @@ impl App {
         CentralPanel::default().show(ui, |ui| {
             if let Some(stage) = &mut self.stage {
                 let moment = (self.clock.frame(), self.clock.playing);
-                let handles = handles(self.project.document(), &self.selection);
+                let handles = handles_of_selected(self.project.document(), &self.selection);
                 let hand = (&handles[..], &mut self.requests);
                 self.viewport.ui(ui, stage, moment, self.settings.navigation, hand);
             }

@@ -7,6 +7,7 @@ use super::handles::{Handle, rounded, written};
 use super::orbit::axes;
 use super::overlay::{AXES, Projection};
 use crate::request::{Request, Requests};
+use crate::selection;
 
 /// How long an arrow is, in points.
 const ARROW: f32 = 56.0;
@@ -65,6 +66,13 @@ impl Gizmo {
         if let (Some(grip), Some(way)) = (&self.grip, picture.dragged().then(|| picture.drag_delta())) {
             drag(grip, camera, rect, handles, way, requests);
         }
+        if let (true, Some(pointer)) = (picture.clicked(), picture.interact_pointer_pos()) {
+            let found = found_at(&projection, camera, handles, pointer);
+            self.active = found.map(|handle| handle.path.clone());
+            if let Some((list, index)) = found.and_then(|handle| selection::element(&handle.path)) {
+                requests.push(Request::Select(list.index(index)));
+            }
+        }
         if picture.drag_stopped() && self.grip.take().is_some() {
             requests.push(Request::EndGesture);
         }
@@ -119,10 +127,34 @@ fn take_hold(
             }
         }
     }
-    let distance =
-        |handle: &&Handle| projection.point(handle.at).map_or(f32::INFINITY, |at| at.distance(pointer));
+    let distance = |handle: &Handle| distance_to(projection, handle, pointer);
     let nearest = handles.iter().min_by(|a, b| distance(a).total_cmp(&distance(b)))?;
-    (distance(&nearest) < GRIP).then(|| Grip::Free(nearest.path.clone()))
+    (distance(nearest) < GRIP).then(|| Grip::Free(nearest.path.clone()))
+}
+
+/// What lies under the pointer: a handle, or else the nearest ball that one stands for.
+fn found_at<'a>(
+    projection: &Projection,
+    camera: &Camera,
+    handles: &'a [Handle],
+    pointer: Pos2,
+) -> Option<&'a Handle> {
+    let distance = |handle: &Handle| distance_to(projection, handle, pointer);
+    let nearest = handles.iter().min_by(|a, b| distance(a).total_cmp(&distance(b)))?;
+    if distance(nearest) < GRIP {
+        return Some(nearest);
+    }
+    let is_under = |handle: &&Handle| {
+        let Some((_, metres)) = &handle.radius else { return false };
+        distance(handle) < metres / metres_a_point(camera, handle.at, projection.rect())
+    };
+    let depth = |handle: &Handle| Vec3::from(camera.eye).distance(handle.at);
+    handles.iter().filter(is_under).min_by(|a, b| depth(a).total_cmp(&depth(b)))
+}
+
+/// In points; endless behind the camera.
+fn distance_to(projection: &Projection, handle: &Handle, pointer: Pos2) -> f32 {
+    projection.point(handle.at).map_or(f32::INFINITY, |at| at.distance(pointer))
 }
 
 fn drag(

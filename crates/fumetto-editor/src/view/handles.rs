@@ -17,6 +17,15 @@ pub(crate) struct Handle {
     pub(crate) radius: Option<(Path, f32)>,
 }
 
+/// The handles of what is selected: of the whole scene those of objects and lights, for the camera's target is in the
+/// way of whoever looks at it.
+pub(crate) fn handles_of_selected(document: &Document, selected: &Path) -> Vec<Handle> {
+    if selected.steps().is_empty() {
+        return ["object", "light"].iter().flat_map(|list| handles(document, &selected.key(*list))).collect();
+    }
+    handles(document, selected)
+}
+
 /// All handles of what lies at `path`.
 pub(crate) fn handles(document: &Document, path: &Path) -> Vec<Handle> {
     let mut found = Vec::new();

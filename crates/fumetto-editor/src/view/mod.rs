@@ -8,7 +8,7 @@ mod overlay;
 mod viewport;
 
 pub(crate) use gizmo::Gizmo;
-pub(crate) use handles::{Handle, ball, handles};
+pub(crate) use handles::{Handle, ball, handles, handles_of_selected};
 pub(crate) use navigation::Navigation;
 pub(crate) use orbit::{Orbit, Side};
 pub(crate) use viewport::Viewport;

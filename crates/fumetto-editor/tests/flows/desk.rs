@@ -62,6 +62,18 @@ impl Desk {
         }
     }
 
+    /// Clicks at a place of the window.
+    pub(crate) fn press(&mut self, pos: egui::Pos2) {
+        self.window.hover_at(pos);
+        self.window.step();
+        for pressed in [true, false] {
+            let (button, modifiers) = (egui::PointerButton::Primary, egui::Modifiers::NONE);
+            self.window.event(egui::Event::PointerButton { pos, button, pressed, modifiers });
+            self.window.step();
+        }
+        self.window.step();
+    }
+
     /// The pixels of the window, for a person or a comparison.
     pub(crate) fn look(&mut self, name: &str) -> Vec<u8> {
         let image = self.window.render().expect("the window can be drawn");
