@@ -4,7 +4,7 @@ use fumetto_scene::{Camera, Scene};
 use crate::{
     AirTimes, Assets, Error, Layer, Player,
     frame::Painter,
-    gpu::{Frame, Gpu, Region, TexturePool, read_texture},
+    gpu::{Frame, Gpu, Region, TexturePool, read_texture_async},
     paint::Spreading,
     particles::Particles,
     player::PlayedMatter,
@@ -177,7 +177,7 @@ impl Engine {
     }
 
     /// Runs one step of all smoke whose air is simulated, and takes the time of each of its stages. Waits for the
-    /// device; for measurement only.
+    /// device, so in a browser it measures nothing; for measurement only.
     ///
     /// # Errors
     /// When the device is lost.
@@ -249,34 +249,32 @@ impl Engine {
     }
 
     /// One of the layers that the moment's picture is made of, all objects together, one sample a pixel.
-    /// Waits for the device.
     ///
     /// # Errors
     /// When the picture is too large for the device, or the device is lost.
-    pub fn layer(&mut self, player: &Player, shot: &Shot, layer: Layer) -> Result<Image, Error> {
+    pub async fn layer_async(&mut self, player: &Player, shot: &Shot, layer: Layer) -> Result<Image, Error> {
         let shot = Shot { antialias: 1, ..shot.clone() };
         self.check_size(&shot)?;
         self.look(player, &shot.camera);
         let proof = self.painter.proof(&self.gpu, &self.pool, player, &shot);
-        Ok(proof.picture(&self.gpu, layer)?)
+        Ok(proof.picture(&self.gpu, layer).await?)
     }
 
-    /// The puff atlas as pictures, each with its name: `normal`, `depth` and `coverage`. Waits for the
-    /// device.
+    /// The puff atlas as pictures, each with its name: `normal`, `depth` and `coverage`.
     ///
     /// # Errors
     /// When the device is lost.
-    pub fn atlas(&self, player: &Player) -> Result<Vec<(&'static str, Image)>, Error> {
-        Ok(atlas_pictures(&self.gpu, &player.puffs.atlas)?)
+    pub async fn atlas_async(&self, player: &Player) -> Result<Vec<(&'static str, Image)>, Error> {
+        Ok(atlas_pictures(&self.gpu, &player.puffs.atlas).await?)
     }
 
-    /// How large the surfaces are that the moment shows to the scene's first camera. Waits for the device.
+    /// How large the surfaces are that the moment shows to the scene's first camera.
     ///
     /// # Errors
     /// When the device is lost.
-    pub fn surfaces(&self, player: &Player) -> Result<Vec<SurfaceSize>, Error> {
+    pub async fn surfaces_async(&self, player: &Player) -> Result<Vec<SurfaceSize>, Error> {
         self.look(player, &Shot::of(player.scene()).camera);
-        Ok(player.surfaces.sizes(&self.gpu, &player.meshes)?)
+        Ok(player.surfaces.sizes(&self.gpu, &player.meshes).await?)
     }
 
     fn check_size(&self, shot: &Shot) -> Result<(), Error> {
@@ -289,16 +287,23 @@ impl Engine {
         Ok(())
     }
 
-    /// Draws the moment that `player` is at and reads it back. Waits for the device.
+    /// Draws the moment that `player` is at and reads it back. It is drawn at once, and what comes after does not
+    /// change it.
     ///
     /// # Errors
     /// When the picture is too large for the device, or the device is lost.
-    pub fn picture(&mut self, player: &Player, shot: &Shot) -> Result<Image, Error> {
-        self.check_size(shot)?;
+    pub fn picture_async(
+        &mut self,
+        player: &Player,
+        shot: &Shot,
+    ) -> impl Future<Output = Result<Image, Error>> + use<> {
         let [width, height] = shot.size;
-        let texture = picture_texture(&self.gpu, shot.size);
-        self.draw(player, shot, &texture.create_view(&wgpu::TextureViewDescriptor::default()))?;
-        Ok(Image { width, height, pixels: read_texture(&self.gpu, &texture)? })
+        let reading = self.check_size(shot).and_then(|()| {
+            let texture = picture_texture(&self.gpu, shot.size);
+            self.draw(player, shot, &texture.create_view(&wgpu::TextureViewDescriptor::default()))?;
+            Ok(read_texture_async(&self.gpu, &texture))
+        });
+        async move { Ok(Image { width, height, pixels: reading?.await? }) }
     }
 }
 

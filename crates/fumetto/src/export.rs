@@ -1,4 +1,4 @@
-//! What a scene is made of at one moment, for other programs. Waits for the device.
+//! What a scene is made of at one moment, for other programs.
 
 use bytemuck::{Pod, Zeroable};
 use fumetto_formats::{Group, Image, Solid};
@@ -47,32 +47,32 @@ struct Counters {
 impl Engine {
     /// The triangles of the scene's `object`-th object at the moment that `player` is at; `None` of one that
     /// is drawn without any, as puffs are. Cells that are lengths on the picture are as the scene's first camera
-    /// sees them. Waits for the device.
+    /// sees them.
     ///
     /// # Errors
     /// When a ramp's picture cannot be read, or the device is lost.
-    pub fn solid(&self, player: &Player, object: usize) -> Result<Option<Export>, Error> {
+    pub async fn solid_async(&self, player: &Player, object: usize) -> Result<Option<Export>, Error> {
         let scene = player.scene();
         let (Some(described), Some(played)) = (scene.objects.get(object), player.objects.get(object)) else {
             return Ok(None);
         };
         let lit = lit_tone(player, described)?;
         if let PlayedMatter::Model(model) = &played.matter {
-            let solid = model_solid(self.gpu(), player, (described, object), model, lit)?;
+            let solid = model_solid(self.gpu(), player, (described, object), model, lit).await?;
             return Ok(Some(Export { solid, notes: Vec::new() }));
         }
         self.look(player, &Shot::of(scene).camera);
         let reserved = player.meshes.reserved.iter().find(|reserved| reserved.object == object);
         let Some(reserved) = reserved else { return Ok(None) };
-        Ok(Some(surface_export(self.gpu(), player, described, reserved, lit)?))
+        Ok(Some(surface_export(self.gpu(), player, described, reserved, lit).await?))
     }
 
     /// The particles of the scene's `object`-th object at the moment that `player` is at, as they are at their
-    /// age; none of a model or a volume out of a file. Waits for the device.
+    /// age; none of a model or a volume out of a file.
     ///
     /// # Errors
     /// When the device is lost.
-    pub fn particles(&self, player: &Player, object: usize) -> Result<Vec<Particle>, Error> {
+    pub async fn particles_async(&self, player: &Player, object: usize) -> Result<Vec<Particle>, Error> {
         let Some(played) = player.objects.get(object) else { return Ok(Vec::new()) };
         match &played.matter {
             PlayedMatter::Still(particles) | PlayedMatter::Sequence(_, particles) => Ok(particles.clone()),
@@ -84,7 +84,7 @@ impl Engine {
             PlayedMatter::Model(_) | PlayedMatter::Imported(_) | PlayedMatter::Paint => Ok(Vec::new()),
             PlayedMatter::Smoke(_) => {
                 let range = player.puffs.objects[object].range.clone();
-                let puffs: Vec<Puff> = read_items(self.gpu(), &player.puffs.puffs, range)?;
+                let puffs: Vec<Puff> = read_items(self.gpu(), &player.puffs.puffs, range).await?;
                 let size = played.placement.size;
                 let there = puffs.iter().filter(|puff| puff.radius > 0.0);
                 let particle = |puff: &Puff| Particle {
@@ -99,19 +99,20 @@ impl Engine {
 }
 
 /// A surface that the device has made.
-fn surface_export(
+async fn surface_export(
     gpu: &Gpu,
     player: &Player,
     object: &Object,
     reserved: &Reserved,
     lit: Colour,
 ) -> Result<Export, GpuError> {
-    let counters: Vec<Counters> = read_items(gpu, &reserved.counters, 0..1)?;
+    let counters: Vec<Counters> = read_items(gpu, &reserved.counters, 0..1).await?;
     let Counters { vertices, triangles, overflow, .. } = counters[0];
     let first = reserved.vertices.start;
-    let vertices = read_vertices(gpu, player, first..first + vertices)?;
+    let vertices = read_vertices(gpu, player, first..first + vertices).await?;
     let start = reserved.triangles.start;
-    let triangles: Vec<Triangle> = read_items(gpu, &player.meshes.triangles, start..start + triangles)?;
+    let triangles: Vec<Triangle> =
+        read_items(gpu, &player.meshes.triangles, start..start + triangles).await?;
     // Where vertices did not fit, the device writes triangles that cover nothing.
     let covers = |[a, b, c]: &[u32; 3]| a != b && b != c && c != a;
     let corners = triangles.iter().map(|triangle| triangle.corners.map(|corner| corner - first));
@@ -122,7 +123,7 @@ fn surface_export(
 }
 
 /// A model with its copies, where its parts now are.
-fn model_solid(
+async fn model_solid(
     gpu: &Gpu,
     player: &Player,
     (object, number): (&Object, usize),
@@ -132,7 +133,7 @@ fn model_solid(
     let geometry = &player.geometry;
     let range = geometry.vertices(number);
     let (start, end) = (range.start as u32, range.end as u32);
-    let vertices = read_vertices(gpu, player, start..end)?;
+    let vertices = read_vertices(gpu, player, start..end).await?;
     let materials = &played.model.materials;
     let mut groups: Vec<Group> = materials
         .iter()
@@ -167,8 +168,12 @@ fn solid(object: &Object, vertices: &[Vertex], groups: Vec<Group>) -> Solid {
     }
 }
 
-fn read_vertices(gpu: &Gpu, player: &Player, range: std::ops::Range<u32>) -> Result<Vec<Vertex>, GpuError> {
-    read_items(gpu, &player.meshes.vertices, range)
+async fn read_vertices(
+    gpu: &Gpu,
+    player: &Player,
+    range: std::ops::Range<u32>,
+) -> Result<Vec<Vertex>, GpuError> {
+    read_items(gpu, &player.meshes.vertices, range).await
 }
 
 /// What a fully lit surface of an object is drawn in.

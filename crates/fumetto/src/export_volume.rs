@@ -1,4 +1,4 @@
-//! What a scene's volumes are made of at one moment, for other programs. Waits for the device.
+//! What a scene's volumes are made of at one moment, for other programs.
 
 use std::sync::Arc;
 
@@ -8,19 +8,18 @@ use half::f16;
 
 use crate::{
     Engine, Error, Player,
-    gpu::{GpuError, read_items, read_texture},
+    gpu::{GpuError, read_items, read_texture_async},
     player::{PlayedMatter, imported_path, load_imported},
     shapes::volume::{CellField, CellGrid, Samples},
 };
 
 impl Engine {
     /// The volume of the scene's `object`-th object at the moment that `player` is at: its density as it is drawn,
-    /// and where a file tells it, its temperature. +Y is up. None of an object that is drawn otherwise. Waits for
-    /// the device.
+    /// and where a file tells it, its temperature. +Y is up. None of an object that is drawn otherwise.
     ///
     /// # Errors
     /// When a file is gone, or the device is lost.
-    pub fn volume(&self, player: &Player, object: usize) -> Result<Vec<Grid>, Error> {
+    pub async fn volume_async(&self, player: &Player, object: usize) -> Result<Vec<Grid>, Error> {
         let Some(played) = player.objects.get(object) else { return Ok(Vec::new()) };
         if let PlayedMatter::Imported(volume) = &played.matter {
             let path = imported_path(&volume.imported, player.shown.unwrap_or_default());
@@ -29,16 +28,16 @@ impl Engine {
             return Ok(samples.map_err(|source| Error::Imported { path, source })?.grids());
         }
         match player.volumes.cells(object) {
-            Some(field) => Ok(self.grid(field)?.into_iter().collect()),
+            Some(field) => Ok(self.grid(field).await?.into_iter().collect()),
             None => Ok(Vec::new()),
         }
     }
 
     /// The density that was made of puffs, if there is any.
-    fn grid(&self, field: &CellField) -> Result<Option<Grid>, GpuError> {
-        let grids: Vec<CellGrid> = read_items(self.gpu(), field.grid(), 0..1)?;
+    async fn grid(&self, field: &CellField) -> Result<Option<Grid>, GpuError> {
+        let grids: Vec<CellGrid> = read_items(self.gpu(), field.grid(), 0..1).await?;
         let CellGrid { origin, cell_m, cells, .. } = grids[0];
-        let texels = read_texture(self.gpu(), field.density())?;
+        let texels = read_texture_async(self.gpu(), field.density()).await?;
         let density = |texel: &[u8]| f16::from_le_bytes([texel[6], texel[7]]).to_f32();
         let values: Vec<f32> = texels.chunks_exact(8).map(density).collect();
         let voxels = Voxels::from_dense([0; 3], cells, 1, &values, [0.0; 3]);

@@ -23,6 +23,8 @@
 //! ```
 
 mod assets;
+#[cfg(not(target_arch = "wasm32"))]
+mod blocking;
 mod cels;
 mod details;
 mod engine;
@@ -52,7 +54,9 @@ pub use assets::Assets;
 pub use engine::{Engine, PICTURE_FORMAT, Shot};
 pub use error::Error;
 pub use export::Export;
-pub use gpu::{Gpu, GpuError, Trouble, read_texture};
+#[cfg(not(target_arch = "wasm32"))]
+pub use gpu::read_texture;
+pub use gpu::{Gpu, GpuError, Trouble, read_texture_async};
 pub use particles::{AirTimes, TooManyFacets};
 pub use player::{ImportedSize, Player, imported_size};
 pub use print::Print;

@@ -5,7 +5,7 @@ use fumetto_formats::Image;
 use crate::{
     Engine, Error, Player, Shot,
     engine::picture_texture,
-    gpu::{Region, read_texture},
+    gpu::{Region, read_texture_async},
     ink::InkAround,
     lengths::reach_px,
     tiles::{Part, Survey, Tile, Tiles, Tiling},
@@ -96,12 +96,15 @@ impl Print {
         self.next[1] >= self.tiles.grid()[1]
     }
 
-    /// Draws the next tile. Answers with the next rows of the picture when they are complete. Waits for the
-    /// device.
+    /// Draws the next tile. Answers with the next rows of the picture when they are complete.
     ///
     /// # Errors
     /// When the device is lost.
-    pub fn draw_tile(&mut self, engine: &mut Engine, player: &Player) -> Result<Option<Image>, Error> {
+    pub async fn draw_tile_async(
+        &mut self,
+        engine: &mut Engine,
+        player: &Player,
+    ) -> Result<Option<Image>, Error> {
         if self.is_done() {
             return Ok(None);
         }
@@ -114,7 +117,7 @@ impl Print {
         }
         let part = Part { region: tile.region, survey: self.survey.as_ref() };
         let (texture, _) = engine.draw_part(player, &self.shot, part);
-        let pixels = read_texture(engine.gpu(), &texture)?;
+        let pixels = read_texture_async(engine.gpu(), &texture).await?;
         self.keep(&tile, &pixels);
         if column + 1 < self.tiles.grid()[0] {
             self.next = [column + 1, row];

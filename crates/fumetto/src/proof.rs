@@ -6,7 +6,7 @@ use fumetto_formats::Image;
 use half::f16;
 
 use crate::{
-    gpu::{Gpu, GpuError, Transient, read_texture},
+    gpu::{Gpu, GpuError, Transient, read_texture_async},
     shapes::puffs::Atlas,
 };
 
@@ -72,15 +72,15 @@ pub(crate) struct Proof {
 }
 
 impl Proof {
-    /// One of the layers as a picture. Waits for the device.
-    pub(crate) fn picture(&self, gpu: &Gpu, layer: Layer) -> Result<Image, GpuError> {
+    /// One of the layers as a picture.
+    pub(crate) async fn picture(&self, gpu: &Gpu, layer: Layer) -> Result<Image, GpuError> {
         let texture = match layer {
             Layer::Normal => self.normal.texture(),
             Layer::Depth => self.depth.texture(),
             Layer::Id | Layer::Alpha => self.id.texture(),
             Layer::Ink => self.ink.texture(),
         };
-        let bytes = read_texture(gpu, texture)?;
+        let bytes = read_texture_async(gpu, texture).await?;
         let pixels = match layer {
             Layer::Normal => normal_pixels(&bytes),
             Layer::Depth => depth_pixels(&bytes),
@@ -137,9 +137,9 @@ fn depth_pixels(bytes: &[u8]) -> Vec<u8> {
 }
 
 /// The atlas's largest tiles as pictures: normals, height, and where the puffs are.
-pub(crate) fn atlas_pictures(gpu: &Gpu, atlas: &Atlas) -> Result<Vec<(&'static str, Image)>, GpuError> {
+pub(crate) async fn atlas_pictures(gpu: &Gpu, atlas: &Atlas) -> Result<Vec<(&'static str, Image)>, GpuError> {
     let (width, height) = (atlas.texture.width(), atlas.tile_px);
-    let bytes = read_texture(gpu, &atlas.texture)?;
+    let bytes = read_texture_async(gpu, &atlas.texture).await?;
     let tiles = &bytes[..4 * (width * height) as usize];
     let picture = |pixel: fn([u8; 4]) -> [u8; 4]| {
         let texels = tiles.chunks_exact(4);

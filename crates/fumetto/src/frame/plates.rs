@@ -6,7 +6,7 @@ use super::{Drawn, Painter, Setting};
 use crate::{
     Player, Shot,
     cels::{Cel, cels},
-    gpu::{Frame, Gpu, GpuError, Region, Target, TexturePool, Transient, read_texture},
+    gpu::{Frame, Gpu, GpuError, Region, Target, TexturePool, Transient, read_texture_async},
     ink::INK_FORMAT,
     layers::Layers,
     shapes::puffs::Subject,
@@ -43,8 +43,8 @@ struct Unread {
 }
 
 impl Painter {
-    /// Draws all cels with a sample for each of the shot's pixels. Waits for the device.
-    pub(crate) fn plates(
+    /// Draws all cels with a sample for each of the shot's pixels.
+    pub(crate) async fn plates(
         &mut self,
         gpu: &Gpu,
         pool: &TexturePool,
@@ -59,7 +59,7 @@ impl Painter {
             let mut frame = Frame::new(gpu, pool, "plate");
             let drawn = self.draw_plate(&mut frame, &setting, &cel, opaque.as_ref());
             frame.submit();
-            plates.push(drawn.read(gpu, cel)?);
+            plates.push(drawn.read(gpu, cel).await?);
             opaque = opaque.or(Some(drawn.layers));
         }
         Ok(plates)
@@ -99,11 +99,13 @@ impl Painter {
 }
 
 impl Unread {
-    fn read(&self, gpu: &Gpu, cel: Cel) -> Result<Plate, GpuError> {
-        let read = |texture: &Transient| read_texture(gpu, texture.texture());
-        let pairs = |bytes: Vec<u8>| bytes.as_chunks().0.to_vec();
-        let mut ink: Vec<[u8; 2]> = pairs(read(&self.ink)?);
-        let kept = read(&self.kept)?;
+    async fn read(&self, gpu: &Gpu, cel: Cel) -> Result<Plate, GpuError> {
+        let read = |texture: &Transient| read_texture_async(gpu, texture.texture());
+        let pairs = |bytes: &[u8]| bytes.as_chunks().0.to_vec();
+        let tones = self.tones.as_ref().map(read);
+        let edges = self.edges.as_ref().map(read);
+        let mut ink: Vec<[u8; 2]> = pairs(&read(&self.ink).await?);
+        let kept = read(&self.kept).await?;
         for (mark, kept) in ink.iter_mut().zip(kept.as_chunks::<4>().0) {
             if kept[3] == 0 {
                 *mark = [0, 0];
@@ -112,11 +114,17 @@ impl Unread {
         Ok(Plate {
             members: cel.members,
             size: self.layers.size.map(|side| side as usize),
-            ids: bytemuck::pod_collect_to_vec(&read(&self.layers.id)?),
-            depth: bytemuck::pod_collect_to_vec(&read(&self.layers.depth)?),
-            tones: self.tones.as_ref().map(&read).transpose()?.unwrap_or_default().as_chunks().0.to_vec(),
+            ids: bytemuck::pod_collect_to_vec(&read(&self.layers.id).await?),
+            depth: bytemuck::pod_collect_to_vec(&read(&self.layers.depth).await?),
+            tones: match tones {
+                Some(tones) => tones.await?.as_chunks().0.to_vec(),
+                None => Vec::new(),
+            },
             ink,
-            edges: self.edges.as_ref().map(&read).transpose()?.map(pairs).unwrap_or_default(),
+            edges: match edges {
+                Some(edges) => pairs(&edges.await?),
+                None => Vec::new(),
+            },
         })
     }
 }

@@ -15,8 +15,12 @@ mod view;
 pub use device::{Gpu, GpuError};
 #[cfg(test)]
 pub(crate) use layout::{assert_twins, layout_test};
+#[cfg(test)]
+pub(crate) use readback::read_buffer;
+pub(crate) use readback::read_items;
+#[cfg(not(target_arch = "wasm32"))]
 pub use readback::read_texture;
-pub(crate) use readback::{read_buffer, read_items};
+pub use readback::read_texture_async;
 pub use trouble::Trouble;
 
 pub(crate) use compact::{Compact, DrawList, Listing};

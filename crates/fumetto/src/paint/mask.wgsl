@@ -245,7 +245,7 @@ fn asked(px: vec2u) -> u32 {
     }
     end_layer(&known);
     end_coat(distance, right, down, &known);
-    return known.bits | known.line << LAYER_BITS;
+    return known.bits | (known.line << LAYER_BITS);
 }
 
 @compute @workgroup_size(256)
@@ -256,6 +256,6 @@ fn main(@builtin(workgroup_id) id: vec3u, @builtin(local_invocation_index) lane:
     find(lane);
     if is_drawn(px) {
         let row = (u32(view.size_px.x) + 1u) / 2u;
-        mask[px.y * row + px.x / 2u] = asked(px) | asked(px + vec2u(1u, 0u)) << 16u;
+        mask[px.y * row + px.x / 2u] = asked(px) | (asked(px + vec2u(1u, 0u)) << 16u);
     }
 }

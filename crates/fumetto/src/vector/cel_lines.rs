@@ -15,14 +15,13 @@ use crate::{
 /// Distances that differ by this share are equal, as in `strip.wgsl`.
 const TOLERANCE: f32 = 2e-4;
 
-/// Waits for the device.
-pub(super) fn lines(
+pub(super) async fn lines(
     gpu: &Gpu,
     (player, shot): (&Player, &Shot),
     plate: &Plate,
     options: &DrawingOptions,
 ) -> Result<Vec<Stroke>, GpuError> {
-    let solids = Solids::read(gpu, player, &plate.members)?;
+    let solids = Solids::read(gpu, player, &plate.members).await?;
     if solids.triangles.is_empty() {
         return Ok(Vec::new());
     }

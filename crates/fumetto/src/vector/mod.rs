@@ -45,13 +45,13 @@ pub struct DrawingOptions {
 }
 
 impl Engine {
-    /// The moment that `player` is at as a drawing of closed shapes and lines. Waits for the device.
+    /// The moment that `player` is at as a drawing of closed shapes and lines.
     ///
     /// The shot's size is the drawing's; its `antialias` says nothing about shapes that have no pixels.
     ///
     /// # Errors
     /// When the background's picture cannot be read, or the device is lost.
-    pub fn drawing(
+    pub async fn drawing_async(
         &mut self,
         player: &Player,
         shot: &Shot,
@@ -61,7 +61,7 @@ impl Engine {
         let traced =
             Shot { size: traced_size(shot.size, &gpu.device.limits()), antialias: 1, ..shot.clone() };
         self.look(player, &shot.camera);
-        let plates = self.painter.plates(&gpu, &self.pool, player, &traced)?;
+        let plates = self.painter.plates(&gpu, &self.pool, player, &traced).await?;
         self.pool.end_frame();
         let paper = match options.plotter {
             true => Paper::Clear,
@@ -69,7 +69,7 @@ impl Engine {
         };
         let mut strokes = Vec::with_capacity(plates.len());
         for plate in &plates {
-            strokes.push(cel_lines::lines(&gpu, (player, shot), plate, options)?);
+            strokes.push(cel_lines::lines(&gpu, (player, shot), plate, options).await?);
         }
         Ok(document::drawing(player, shot.size, plates.iter().zip(strokes), paper, options))
     }

@@ -18,18 +18,18 @@ pub struct LineModel {
 }
 
 impl Engine {
-    /// Takes the models and surfaces of the moment that `player` is at off the device, for which it waits. Puffs and
-    /// volumes are not in it: they hide nothing, and have no lines.
+    /// Takes the models and surfaces of the moment that `player` is at off the device. Puffs and volumes are not in
+    /// it: they hide nothing, and have no lines.
     ///
     /// # Errors
     /// When the device is lost.
-    pub fn line_model(&self, player: &Player) -> Result<LineModel, Error> {
+    pub async fn line_model_async(&self, player: &Player) -> Result<LineModel, Error> {
         let scene = player.scene();
         self.look(player, &Shot::of(scene).camera);
         let visible = |&object: &usize| scene.objects[object].visible;
         let members: Vec<usize> = (0..scene.objects.len()).filter(visible).collect();
         Ok(LineModel {
-            solids: Solids::read(self.gpu(), player, &members)?,
+            solids: Solids::read(self.gpu(), player, &members).await?,
             objects: scene.objects.clone(),
             light: FirstLight::of(scene),
         })

@@ -19,5 +19,5 @@ fn block_at(block: u32) -> vec3u {
 
 // Of the two cells of a block that each lane of a workgroup visits.
 fn cell_of(block: u32, lane: u32, half: u32) -> vec3u {
-    return block_at(block) + vec3u(lane & 7u, lane >> 3u & 7u, (lane >> 6u) + 4u * half);
+    return block_at(block) + vec3u(lane & 7u, (lane >> 3u) & 7u, (lane >> 6u) + 4u * half);
 }

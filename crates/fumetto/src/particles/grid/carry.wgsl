@@ -43,5 +43,5 @@ fn is_beyond(p: vec3f) -> bool {
 }
 
 fn is_wall(f: vec3u) -> bool {
-    return f[AXIS] == 0u && !is_open(AXIS, 0u) || f[AXIS] == grid.cells[AXIS] && !is_open(AXIS, 1u);
+    return (f[AXIS] == 0u && !is_open(AXIS, 0u)) || (f[AXIS] == grid.cells[AXIS] && !is_open(AXIS, 1u));
 }

@@ -1,6 +1,8 @@
 //! The stages of a sub-step, one by one; for measurement.
 
-use std::time::{Duration, Instant};
+use std::time::Duration;
+
+use web_time::Instant;
 
 use super::Moment;
 use crate::{

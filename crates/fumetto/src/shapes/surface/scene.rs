@@ -77,13 +77,16 @@ impl SurfaceScene {
         Self { work: room.map(|room| Workspace::new(gpu, room)), surfaces: surfaces.collect() }
     }
 
-    /// How large each surface is. Waits for the device.
+    /// How large each surface is.
     ///
     /// # Errors
     /// When the device is lost.
-    pub(crate) fn sizes(&self, gpu: &Gpu, meshes: &MeshScene) -> Result<Vec<SurfaceSize>, GpuError> {
-        let both = self.surfaces.iter().zip(&meshes.reserved);
-        both.map(|(surface, mesh)| SurfaceSize::read(gpu, mesh, surface.room)).collect()
+    pub(crate) async fn sizes(&self, gpu: &Gpu, meshes: &MeshScene) -> Result<Vec<SurfaceSize>, GpuError> {
+        let mut sizes = Vec::with_capacity(self.surfaces.len());
+        for (surface, mesh) in self.surfaces.iter().zip(&meshes.reserved) {
+            sizes.push(SurfaceSize::read(gpu, mesh, surface.room).await?);
+        }
+        Ok(sizes)
     }
 
     /// Whatever moves is no more what it was.

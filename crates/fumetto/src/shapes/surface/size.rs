@@ -1,7 +1,7 @@
 use fumetto_scene::SurfaceRoom;
 
 use crate::{
-    gpu::{Gpu, GpuError, read_buffer},
+    gpu::{Gpu, GpuError, read_items},
     shapes::mesh::Reserved,
 };
 
@@ -26,10 +26,9 @@ pub struct SurfaceSize {
 }
 
 impl SurfaceSize {
-    /// Waits for the device.
-    pub(super) fn read(gpu: &Gpu, mesh: &Reserved, room: SurfaceRoom) -> Result<Self, GpuError> {
+    pub(super) async fn read(gpu: &Gpu, mesh: &Reserved, room: SurfaceRoom) -> Result<Self, GpuError> {
         // As `Counters` of `counters.wgsl`.
-        let counters: Vec<u32> = read_buffer(gpu, &mesh.counters)?;
+        let counters: Vec<u32> = read_items(gpu, &mesh.counters, 0..8).await?;
         Ok(Self {
             object: mesh.object,
             vertices: counters[4],

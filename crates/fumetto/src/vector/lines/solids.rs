@@ -44,8 +44,8 @@ pub(crate) struct PartLook {
 }
 
 impl Solids {
-    /// Those that the objects that `members` numbers are drawn with. Waits for the device.
-    pub(crate) fn read(gpu: &Gpu, player: &Player, members: &[usize]) -> Result<Self, GpuError> {
+    /// Those that the objects that `members` numbers are drawn with.
+    pub(crate) async fn read(gpu: &Gpu, player: &Player, members: &[usize]) -> Result<Self, GpuError> {
         let geometry = &player.geometry;
         let drawn = player.drawn();
         let wanted = |object: usize| members.contains(&object) && any_line(drawn[object]);
@@ -58,18 +58,18 @@ impl Solids {
             hides: !part.has_holes() && members.contains(&(part.object as usize)),
         };
         let meshes = &player.meshes;
-        let mut packed: Vec<Packed> = read_items(gpu, &meshes.vertices, 0..meshes.source_count)?;
+        let mut packed: Vec<Packed> = read_items(gpu, &meshes.vertices, 0..meshes.source_count).await?;
         let mut triangles = geometry.triangles.clone();
         let mut sheets = geometry.pieces.clone();
         for reserved in meshes.reserved.iter().filter(|reserved| members.contains(&reserved.object)) {
             // A surface's vertices go to where the others end.
             let moved = packed.len() as u32;
-            let counters: Vec<[u32; 8]> = read_items(gpu, &reserved.counters, 0..1)?;
+            let counters: Vec<[u32; 8]> = read_items(gpu, &reserved.counters, 0..1).await?;
             let [.., vertices, made, _, _] = counters[0];
             let first = reserved.vertices.start;
-            packed.extend(read_items::<Packed>(gpu, &meshes.vertices, first..first + vertices)?);
+            packed.extend(read_items::<Packed>(gpu, &meshes.vertices, first..first + vertices).await?);
             let start = reserved.triangles.start;
-            let made: Vec<Triangle> = read_items(gpu, &meshes.triangles, start..start + made)?;
+            let made: Vec<Triangle> = read_items(gpu, &meshes.triangles, start..start + made).await?;
             triangles.extend(made.into_iter().map(|triangle| Triangle {
                 corners: triangle.corners.map(|corner| corner - first + moved),
                 part: triangle.part,
@@ -78,7 +78,7 @@ impl Solids {
         // Those that are made are one for each part; no model has as many pieces.
         sheets.extend(triangles[sheets.len()..].iter().map(|triangle| u32::MAX - 1 - triangle.part));
         let edges = &meshes.edges;
-        let mut candidates: Vec<Candidate> = read_items(gpu, &edges.candidates, 0..edges.count)?;
+        let mut candidates: Vec<Candidate> = read_items(gpu, &edges.candidates, 0..edges.count).await?;
         candidates.retain(|candidate| candidate.bits & bit::CONTOUR == 0 && wanted(candidate.object()));
         let (positions, normals) =
             packed.par_iter().map(|vertex| (Vec3::from(vertex.position), unpacked(vertex.normal))).unzip();
