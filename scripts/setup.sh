@@ -84,6 +84,11 @@ need_python() {
             "Install Python 3 with its venv module."
 }
 
+need_chromium() {
+    command -v chromium >/dev/null || command -v chromium-browser >/dev/null || command -v google-chrome >/dev/null ||
+        need "the tests ask a browser's own compiler about shaders" "chromium" "Install Chromium or Chrome."
+}
+
 lint="" tests=""
 for argument in "$@"; do
     case "$argument" in
@@ -98,6 +103,6 @@ need_rust
 if [ "$(uname -s)" = Linux ]; then
     need_linker
     need_vulkan
-    [ -z "$tests" ] || need_lavapipe
+    [ -z "$tests" ] || { need_lavapipe && need_chromium; }
 fi
 [ -z "$lint" ] || { need_rust_tools && need_python; }

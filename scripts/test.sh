@@ -11,4 +11,6 @@ if [ -z "${VK_DRIVER_FILES:-}${VK_ICD_FILENAMES:-}" ] && driver=$(lavapipe); the
     export VK_DRIVER_FILES="$driver" VK_ICD_FILENAMES="$driver"
     export FUMETTO_GOLDEN_REQUIRED=1
 fi
+# Nor may the tests in a browser be passed over.
+export FUMETTO_BROWSER_REQUIRED=1
 check "tests" cargo test --locked --workspace
