@@ -13,7 +13,7 @@ use crate::clock::Clock;
 use crate::commands::{self, Command};
 use crate::dialogs::{Dialogs, Purpose};
 use crate::examples::EXAMPLES;
-use crate::jobs::{Job, Work};
+use crate::jobs::{Job, State, Work};
 use crate::panels::{
     self, inspector::Inspector, output::Output, palette::Palette, styles::Styles, tree::Tree,
 };
@@ -123,6 +123,12 @@ impl App {
     #[must_use]
     pub fn text(&self) -> &str {
         self.project.document().text()
+    }
+
+    /// Whether a rendering or an export is under way.
+    #[must_use]
+    pub fn has_jobs(&self) -> bool {
+        self.jobs.iter().any(|job| job.state == State::Running)
     }
 
     /// The path of what is selected; empty for the whole scene.

@@ -1,4 +1,6 @@
 //! The editor as a person uses it: what is on the screen is found by its labels, pressed and typed into.
 
 mod desk;
+mod files;
+mod output;
 mod view;

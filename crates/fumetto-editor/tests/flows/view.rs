@@ -55,7 +55,7 @@ fn the_gallery_shows_the_scene_in_every_style_and_a_click_takes_one() {
     desk.click("comic");
     desk.settle();
     let after = desk.look("comic");
-    assert!(share_of_difference(&before, &after) > 0.02);
+    assert!(share_of_difference(&before, &after) > 0.005);
     assert!(desk.window.state().text().contains("preset = \"comic\""));
     desk.window.key_press_modifiers(egui::Modifiers::COMMAND, egui::Key::Z);
     desk.window.run_steps(2);
