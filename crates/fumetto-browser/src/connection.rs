@@ -1,10 +1,10 @@
-//! The DevTools protocol: JSON with a zero byte after each message, over the browser's inherited files 3 and 4.
+//! The `DevTools` protocol: JSON with a zero byte after each message, over the browser's inherited files 3 and 4.
 
 use std::{
     collections::VecDeque,
     env,
     fs::{self, File},
-    io::{BufRead as _, BufReader, Write as _},
+    io::{self, BufRead as _, BufReader, Write as _},
     path::{Path, PathBuf},
     process::{Child, ChildStdin, ChildStdout, Command, Stdio},
     sync::mpsc::{self, Receiver, RecvTimeoutError},
@@ -65,7 +65,7 @@ impl Connection {
         let (Some(requests), Some(answers)) = (process.stdin.take(), process.stdout.take()) else {
             return Err(BrowserError::Missing);
         };
-        let messages = listen(answers);
+        let messages = listen(answers)?;
         Ok(Self { process, requests, messages, events: VecDeque::new(), last_id: 0, folder })
     }
 
@@ -141,17 +141,17 @@ impl Drop for Connection {
 }
 
 /// Hands over messages as they come, until there are no more.
-fn listen(answers: ChildStdout) -> Receiver<Value> {
+fn listen(answers: ChildStdout) -> io::Result<Receiver<Value>> {
     let (tell, messages) = mpsc::channel();
-    thread::spawn(move || {
+    thread::Builder::new().name("browser's answers".to_owned()).spawn(move || {
         let split = BufReader::new(answers).split(0).map_while(Result::ok);
         for message in split.filter_map(|bytes| serde_json::from_slice(&bytes).ok()) {
             if tell.send(message).is_err() {
                 return;
             }
         }
-    });
-    messages
+    })?;
+    Ok(messages)
 }
 
 /// The browser's program.

@@ -30,12 +30,14 @@ impl Server {
         let address = listener.local_addr()?;
         let is_gone = Arc::new(AtomicBool::new(false));
         let told = Arc::clone(&is_gone);
-        thread::spawn(move || {
+        thread::Builder::new().name("server".to_owned()).spawn(move || {
             for stream in listener.incoming().flatten().filter(|_| !told.load(Ordering::Relaxed)) {
                 let folder = folder.clone();
-                thread::spawn(move || answer(&stream, &folder).ok());
+                // A browser opens more connections than it uses, so none may be waited for.
+                let answerer = thread::Builder::new().name("server's answer".to_owned());
+                answerer.spawn(move || answer(&stream, &folder).ok()).ok();
             }
-        });
+        })?;
         Ok(Self { address, is_gone })
     }
 

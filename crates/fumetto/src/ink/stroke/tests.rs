@@ -4,6 +4,7 @@ use std::{f32::consts::TAU, fmt::Write as _, io};
 
 use fumetto_scene::{Scene, SceneText};
 use glam::{Vec2, Vec3};
+use pollster::block_on;
 
 use crate::{
     Assets, Engine, Error, Gpu, Layer, Player, Shot,
@@ -77,7 +78,7 @@ impl Assets for Models {
 }
 
 fn engine() -> Engine {
-    Engine::new(pollster::block_on(Gpu::headless()).expect("a Vulkan driver"))
+    Engine::new(block_on(Gpu::headless()).expect("a Vulkan driver"))
 }
 
 const EYE: Vec3 = Vec3::new(0.0, 0.0, 6.0);
@@ -111,8 +112,10 @@ fn lines(engine: &mut Engine, player: &Player) -> Vec<Line> {
     engine.layer(player, &Shot::of(player.scene()), Layer::Ink).expect("the device works");
     let room = &engine.painter.strokes.as_ref().expect("the scene has strokes").room;
     let tally: Vec<u32> = read_buffer(engine.gpu(), &room.joint_tally).expect("the device works");
-    let joints: Vec<Joint> = read_items(engine.gpu(), &room.joints, 0..tally[3]).expect("the device works");
-    let shapes: Vec<Shape> = read_items(engine.gpu(), &room.shapes, 0..tally[3]).expect("the device works");
+    let joints: Vec<Joint> =
+        block_on(read_items(engine.gpu(), &room.joints, 0..tally[3])).expect("the device works");
+    let shapes: Vec<Shape> =
+        block_on(read_items(engine.gpu(), &room.shapes, 0..tally[3])).expect("the device works");
     let same = joints.chunk_by(|a, b| a.first == b.first);
     let line = |joints: &[Joint]| {
         let [first, last] = [joints[0].first as usize, joints[0].last as usize];
