@@ -5,7 +5,7 @@ use egui_kittest::kittest::Queryable;
 
 use crate::desk::Desk;
 
-const SCENE: &str = "# mine\nformat = 1\n\n[[object]]\nname = \"ball\"\nkind = \"cloud\"\nparticles = [{ center = [0.0, 0.0, 0.0], radius = 1.0 }] # one\n\n[output]\nsize = [64, 36]\n";
+const SCENE: &str = "# mine\nformat = 1\n\n[[object]]\nname = \"ball\"\nkind = \"cloud\"\nparticles = [{ center = [0.0, 0.0, 0.0], radius = 1.0 }] # one\n\n[output]\nsize = [64, 36]\n[camera]\neye = [0, 0, 5]\ntarget = [0, 0, 0]\n";
 
 #[test]
 fn a_scene_is_opened_changed_and_saved_with_its_comments() {

@@ -12,7 +12,7 @@ fn a_picture_is_rendered_while_editing_goes_on() {
     }
     let mut desk = Desk::open();
     let scene = desk.folder.path().join("ball.toml");
-    fs::write(&scene, "format = 1\n[[object]]\nname = \"ball\"\nkind = \"cloud\"\nparticles = [{ center = [0, 0, 0], radius = 1 }]\n[output]\nsize = [64, 36]\n").unwrap();
+    fs::write(&scene, "format = 1\n[[object]]\nname = \"ball\"\nkind = \"cloud\"\nparticles = [{ center = [0, 0, 0], radius = 1 }]\n[output]\nsize = [64, 36]\n[camera]\neye = [0, 0, 5]\ntarget = [0, 0, 0]\n").unwrap();
     desk.window.state_mut().open(&scene).unwrap();
     desk.settle();
     desk.window.key_press(Key::F12);
