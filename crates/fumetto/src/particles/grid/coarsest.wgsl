@@ -5,19 +5,19 @@ const SWEEPS: u32 = 24u;
 const RELAXATION: f32 = 1.7;
 const LANES: u32 = 256u;
 
+// All of the 16 KiB that a workgroup has by WebGPU's default.
 var<workgroup> solved: array<f32, 4096>;
-var<workgroup> sums: array<f32, 256>;
 
-// The sum of all lanes' values.
+// The sum of all lanes' values, for which `solved` is overwritten.
 fn sum_of(value: f32, lane: u32) -> f32 {
-    sums[lane] = value;
+    solved[lane] = value;
     for (var half = LANES / 2u; half > 0u; half /= 2u) {
         workgroupBarrier();
         if lane < half {
-            sums[lane] += sums[lane + half];
+            solved[lane] += solved[lane + half];
         }
     }
-    let sum = workgroupUniformLoad(&sums[0]);
+    let sum = workgroupUniformLoad(&solved[0]);
     return sum;
 }
 
@@ -26,11 +26,13 @@ fn main(@builtin(local_invocation_index) lane: u32) {
     let count = level.cells.x * level.cells.y * level.cells.z;
     var total = 0.0;
     for (var i = lane; i < count; i += LANES) {
-        solved[i] = 0.0;
         total += wanted[level.first + i];
     }
     // Between closed walls there is a solution only where all adds up to zero.
     let mean = select(0.0, sum_of(total, lane) / f32(count), level.open == 0u);
+    for (var i = lane; i < count; i += LANES) {
+        solved[i] = 0.0;
+    }
     workgroupBarrier();
     for (var turn = 0u; turn < 2u * SWEEPS; turn++) {
         for (var i = lane; i < count; i += LANES) {
@@ -44,11 +46,13 @@ fn main(@builtin(local_invocation_index) lane: u32) {
     total = 0.0;
     for (var i = lane; i < count; i += LANES) {
         total += solved[i];
+        pressure[level.first + i] = solved[i];
     }
+    workgroupBarrier();
     // Only differences matter then: without this their sum would drift.
     let level_of_all = select(0.0, sum_of(total, lane) / f32(count), level.open == 0u);
     for (var i = lane; i < count; i += LANES) {
-        pressure[level.first + i] = solved[i] - level_of_all;
+        pressure[level.first + i] -= level_of_all;
     }
 }
 
