@@ -89,6 +89,13 @@ need_chromium() {
         need "the tests ask a browser's own compiler about shaders" "chromium" "Install Chromium or Chrome."
 }
 
+# What the editor's window asks for at run time, which a server does not have.
+need_display() {
+    command -v Xvfb >/dev/null ||
+        need "the tests open the editor's window on a display that nobody sees" \
+            "xvfb libx11-xcb1 libxcursor1 libxi6 libxkbcommon-x11-0" "Install Xvfb (Fedora: xorg-x11-server-Xvfb)."
+}
+
 lint="" tests=""
 for argument in "$@"; do
     case "$argument" in
@@ -103,6 +110,6 @@ need_rust
 if [ "$(uname -s)" = Linux ]; then
     need_linker
     need_vulkan
-    [ -z "$tests" ] || { need_lavapipe && need_chromium; }
+    [ -z "$tests" ] || { need_lavapipe && need_display && need_chromium; }
 fi
 [ -z "$lint" ] || { need_rust_tools && need_python; }
