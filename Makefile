@@ -1,6 +1,6 @@
 # The work is done by scripts/; each says at its top what it does.
 
-.PHONY: help demo test lint fmt bench clean
+.PHONY: help demo edit test lint fmt bench clean
 
 help: ## Show this list.
 	@echo "make TARGET, where TARGET is"
@@ -8,6 +8,9 @@ help: ## Show this list.
 
 demo: ## Install what is missing, build, and draw a picture and an animation into out/.
 	@scripts/demo.sh
+
+edit: ## Build the editor and open it, with SCENE=file if one is named.
+	@scripts/edit.sh $(SCENE)
 
 test: ## Run all checks and all tests, as CI does.
 	@scripts/test.sh

@@ -151,5 +151,12 @@ draw edges edges-hidden.png --size 480x360 --set style.ink.hidden=dashed
 # The hand's tools, each along a cloud.
 draw strokes strokes.png "${large[@]}"
 
+# The editor, as its tests meet it.
+shots=$(mktemp -d)
+FUMETTO_LOOK="$shots" cargo test --locked --workspace --test flows view
+mv "$shots/comic.png" "$images/editor.png"
+mv "$shots/dragged.png" "$images/editor-handles.png"
+mv "$shots/chimney.png" "$images/editor-smoke.png"
+
 # The puffs' sprites: atlas.normal.png and its kin.
 "$fumetto" export scenes/cumulus.toml -o "$images/atlas.png"
