@@ -43,7 +43,9 @@ layers() {
     must_not_need fumetto-scene wgpu "the document knows no GPU" &&
         must_not_need fumetto-formats wgpu "reading and writing files needs no GPU" &&
         must_not_need fumetto winit "the engine draws into a texture, and never sees a window" &&
-        must_not_need fumetto-cli egui "the command's first build stays short"
+        must_not_need fumetto-cli egui "the command's first build stays short" &&
+        must_not_need fumetto-cli glow "it draws with OpenGL and WebGL, and Fumetto never does" &&
+        must_not_need fumetto-editor glow "it draws with OpenGL and WebGL, and Fumetto never does"
 }
 
 check "checkers" fetch_tools

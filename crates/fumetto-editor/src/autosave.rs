@@ -89,6 +89,7 @@ fn is_running(process: u32) -> bool {
 }
 
 #[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a test that cannot set up should stop")]
 mod tests {
     use super::*;
 

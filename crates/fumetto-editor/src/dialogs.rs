@@ -63,5 +63,7 @@ fn wait_for<T: 'static>(
     asked: impl Future<Output = T> + Send + 'static,
     answer: impl FnOnce(T) + Send + 'static,
 ) {
-    std::thread::spawn(move || answer(pollster::block_on(asked)));
+    let waiting = move || answer(pollster::block_on(asked));
+    // Without a thread to wait in there is no answer, as if the window had been closed.
+    let _ = std::thread::Builder::new().name("dialog".into()).spawn(waiting);
 }

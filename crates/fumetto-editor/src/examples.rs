@@ -59,6 +59,7 @@ pub(crate) const EXAMPLES: &[Example] = &[
 ];
 
 #[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a test that cannot set up should stop")]
 mod tests {
     use fumetto_scene::{Scene, SceneText};
 

@@ -1,5 +1,6 @@
 //! The program itself, in a real window on a display that nobody sees.
 #![cfg(target_os = "linux")]
+#![expect(clippy::unwrap_used, reason = "a test that cannot set up should stop")]
 
 use std::collections::BTreeSet;
 use std::io::Read as _;

@@ -56,7 +56,7 @@ impl App {
                 self.named_from_scene(&path).and_then(|name| addition(self.project.document(), &path, &name));
             match edit {
                 Ok(edit) => {
-                    self.refusal = self.project.edit(&edit, None).err().map(|error| error.to_string())
+                    self.refusal = self.project.edit(&edit, None).err().map(|error| error.to_string());
                 }
                 Err(message) => self.refusal = Some(message),
             }
@@ -179,6 +179,7 @@ fn toml_string(text: &str) -> String {
 }
 
 #[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a test that cannot set up should stop")]
 mod tests {
     use super::*;
 

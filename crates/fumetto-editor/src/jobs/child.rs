@@ -1,4 +1,4 @@
-use std::io::{BufRead as _, BufReader, Read as _, Write as _};
+use std::io::{self, BufRead as _, BufReader, Read as _, Write as _};
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::sync::mpsc::{Receiver, Sender, channel};
@@ -56,7 +56,8 @@ impl Job {
             .spawn()
             .with_context(|| format!("cannot start {}", program.display()))?;
         let (sender, news) = channel();
-        listen(&mut child, project.document().text().to_owned(), sender, ctx.clone());
+        listen(&mut child, project.document().text().to_owned(), sender, ctx.clone())
+            .context("cannot listen to the program that renders")?;
         Ok(Self { order, state: State::Running, done: 0, start: Instant::now(), child, news, _files: files })
     }
 
@@ -129,22 +130,23 @@ fn program() -> anyhow::Result<PathBuf> {
 }
 
 /// Sends the scene and hears the program, each on a thread of its own: pipes that nobody empties stop a program.
-fn listen(child: &mut Child, scene: String, sender: Sender<News>, ctx: Context) {
+fn listen(child: &mut Child, scene: String, sender: Sender<News>, ctx: Context) -> io::Result<()> {
     let (input, output, errors) = (child.stdin.take(), child.stdout.take(), child.stderr.take());
-    thread::spawn(move || {
+    let named = |name: &str| thread::Builder::new().name(name.into());
+    named("job.scene").spawn(move || {
         if let Some(mut input) = input {
             // A program that has ended early says why itself.
             let _ = input.write_all(scene.as_bytes());
         }
-    });
-    let said = thread::spawn(move || {
+    })?;
+    let said = named("job.errors").spawn(move || {
         let mut said = String::new();
         if let Some(mut errors) = errors {
             let _ = errors.read_to_string(&mut said);
         }
         said
-    });
-    thread::spawn(move || {
+    })?;
+    named("job.frames").spawn(move || {
         let lines = output.map(|output| BufReader::new(output).lines());
         for line in lines.into_iter().flatten().map_while(Result::ok) {
             if line.contains("\"frame\"") {
@@ -155,5 +157,6 @@ fn listen(child: &mut Child, scene: String, sender: Sender<News>, ctx: Context) 
         let said = said.join().unwrap_or_default();
         let _ = sender.send(News::End(said.trim().to_owned()));
         ctx.request_repaint();
-    });
+    })?;
+    Ok(())
 }

@@ -99,6 +99,7 @@ pub(crate) fn ball(handles: &[Handle]) -> Option<(Vec3, f32)> {
 }
 
 #[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a test that cannot set up should stop")]
 mod tests {
     use super::*;
 

@@ -52,7 +52,7 @@ impl Orbit<'_> {
     /// Moves sideways, so that what is looked at follows a pointer that moved by `right` and `down`, in heights of
     /// the picture.
     pub(crate) fn pan(&mut self, right: f32, down: f32) {
-        let forward = -self.offset().normalize();
+        let forward = -self.direction();
         let side = forward.cross(Vec3::from(self.0.up)).normalize_or(Vec3::X);
         let upward = side.cross(forward);
         let height = 2.0 * self.offset().length() * (0.5 * self.0.fov_deg).to_radians().tan();
@@ -63,8 +63,7 @@ impl Orbit<'_> {
 
     /// Goes nearer (`share` below 1) or farther away.
     pub(crate) fn dolly(&mut self, share: f32) {
-        let offset = self.offset();
-        self.stand(offset.normalize(), offset.length() * share);
+        self.stand(self.direction(), self.offset().length() * share);
     }
 
     /// Looks from a side, as far away as before.
@@ -82,7 +81,7 @@ impl Orbit<'_> {
     pub(crate) fn frame(&mut self, centre: Vec3, radius: f32, aspect: f32) {
         let half_height = (0.5 * self.0.fov_deg).to_radians();
         let half = half_height.min((half_height.tan() * aspect).atan());
-        let direction = self.offset().normalize();
+        let direction = self.direction();
         self.0.target = centre.into();
         self.stand(direction, radius.max(DISTANCES[0]) / half.sin());
     }
@@ -90,6 +89,11 @@ impl Orbit<'_> {
     fn offset(&self) -> Vec3 {
         let offset = Vec3::from(self.0.eye) - Vec3::from(self.0.target);
         if offset.length_squared() > 0.0 { offset } else { Vec3::Z }
+    }
+
+    /// From what is looked at to the camera.
+    fn direction(&self) -> Vec3 {
+        self.offset().normalize_or(Vec3::Z)
     }
 
     fn stand(&mut self, direction: Vec3, distance: f32) {

@@ -101,6 +101,7 @@ pub(super) const AXES: [(Vec3, Color32); 3] = [
 ];
 
 #[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a test that cannot set up should stop")]
 mod tests {
     use super::*;
 

@@ -31,11 +31,6 @@ impl Viewport {
         self.camera = None;
     }
 
-    /// Whether the hand has moved away from the scene's camera.
-    pub(crate) fn is_free(&self) -> bool {
-        self.camera.is_some()
-    }
-
     pub(crate) fn look_from(&mut self, stage: &Stage, side: Side) {
         self.move_camera(stage, |orbit| orbit.look_from(side));
     }

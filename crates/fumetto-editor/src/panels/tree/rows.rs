@@ -172,7 +172,7 @@ mod tests {
 
     #[test]
     fn many_elements_are_folded_until_they_are_wanted() {
-        let particles = vec!["{ center = [0, 0, 0], radius = 1 }"; 9].join(", ");
+        let particles = ["{ center = [0, 0, 0], radius = 1 }"; 9].join(", ");
         let toml = format!("[[object]]\nname = \"c\"\nkind = \"cloud\"\nparticles = [{particles}]\n");
         assert_eq!(labels(&toml, &[]), ["Scene", "-c", "--Particle"]);
         assert_eq!(labels(&toml, &["object[0].particles"]).last().map(String::as_str), Some("---Particle 9"));
