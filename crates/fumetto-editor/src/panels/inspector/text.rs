@@ -5,6 +5,7 @@ use fumetto_scene::edit::{Edit, Path, Step, Value};
 
 use super::row;
 use super::sheet::{Sheet, Slot};
+use crate::icons::Icon;
 
 pub(super) fn ui(ui: &mut Ui, sheet: &mut Sheet<'_>, slot: &Slot<'_>) {
     let shown = slot.value.and_then(Value::as_str).unwrap_or_default();
@@ -30,20 +31,20 @@ pub(super) fn file_ui(
     formats: &[String],
     names: &[String],
 ) {
-    const MENU_WIDTH: f32 = 22.0;
+    const MENU_WIDTH: f32 = 14.0;
     let shown = slot.value.and_then(Value::as_str).unwrap_or_default();
     let hint = formats.iter().map(|format| format!(".{format}")).collect::<Vec<_>>().join(", ");
     let menu = if names.is_empty() { 0.0 } else { MENU_WIDTH + 4.0 };
     let mut said = field_ui(ui, slot, shown, ui.available_width() - menu, &hint);
     if !names.is_empty() {
-        let button = ui.menu_button("⏷", |ui| {
+        let button = row::icon_button(ui, Icon::Down, &format!("Ready-made {}", slot.name.to_lowercase()));
+        egui::Popup::menu(&button).show(|ui| {
             for name in names {
                 if ui.button(name).clicked() {
                     said = Some(name.clone());
                 }
             }
         });
-        button.response.accessible_name(format!("Ready-made {}", slot.name.to_lowercase()));
     }
     if let Some(text) = said {
         sheet.set(slot.path, Value::String(text));
