@@ -45,7 +45,7 @@ pub(crate) const EXAMPLES: &[Example] = &[
     example!("sketch", "A cloud in strokes of a pencil, on paper"),
     example!("strokes", "Brush, chalk and charcoal beside each other"),
     example!("puff-fuzzy", "A pyroclastic puff with a soft edge"),
-    example!("plasma", "A glowing volume in flat tones"),
+    example!("dust-cloud", "Dust that billows over the ground, as a volume in flat tones"),
     example!(
         "metamorphosis",
         "A cloud that becomes a rabbit and drifts apart",

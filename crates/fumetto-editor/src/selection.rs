@@ -14,7 +14,13 @@ pub(crate) fn nearest(document: &Document, selected: &Path) -> Path {
         if is_there && (parent == Path::root() || nearest(document, &parent) == parent) {
             return path;
         }
-        path = parent;
+        // A list by itself is nothing to show.
+        let is_element = matches!(step, Step::Index(_));
+        path = if is_element {
+            parent.split_last().map(|(holder, _)| holder).unwrap_or_default()
+        } else {
+            parent
+        };
     }
     path
 }
@@ -88,7 +94,7 @@ mod tests {
         for (selected, found) in [
             ("object[1]", "object[1]"),
             ("object[2]", ""),
-            ("object[0].force[5]", "object[0].force"),
+            ("object[0].force[5]", "object[0]"),
             ("object[7].force[0]", ""),
             ("object[0].style", "object[0].style"),
             ("camera[0]", "camera[0]"),
