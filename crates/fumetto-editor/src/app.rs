@@ -2,18 +2,19 @@
 
 mod desk;
 mod leaving;
+mod obey;
 
-use egui::{CentralPanel, Context, Panel, Ui};
-use fumetto_scene::edit::{Document, Edit, Path, Value};
+use egui::{CentralPanel, Panel, Ui};
+use fumetto_scene::edit::Path;
 
 pub(crate) use self::leaving::Goal;
 use self::leaving::Leaving;
 use crate::autosave::{Autosave, Left};
 use crate::clock::Clock;
-use crate::commands::{self, Command};
-use crate::dialogs::{Dialogs, Purpose};
+use crate::commands;
+use crate::dialogs::Dialogs;
 use crate::examples::EXAMPLES;
-use crate::jobs::{Job, State, Work};
+use crate::jobs::{Job, State};
 use crate::panels::{
     self, inspector::Inspector, output::Output, palette::Palette, styles::Styles, tree::Tree,
 };
@@ -22,7 +23,7 @@ use crate::request::{Request, Requests};
 use crate::selection;
 use crate::settings::Settings;
 use crate::stage::Stage;
-use crate::view::{Viewport, ball, handles, handles_of_selected};
+use crate::view::{Viewport, handles_of_selected};
 
 /// Under this name the settings are kept.
 const SETTINGS: &str = "settings";
@@ -229,100 +230,6 @@ impl App {
                 self.viewport.ui(ui, stage, moment, self.settings.navigation, hand);
             }
         });
-    }
-
-    fn answer(&mut self, request: Request, ctx: &Context) {
-        match request {
-            Request::Edit { edit, gesture } => {
-                self.refusal =
-                    self.project.edit(&edit, gesture.as_deref()).err().map(|error| error.to_string());
-            }
-            Request::EndGesture => self.project.end_gesture(),
-            Request::Do(command) => self.obey(command, ctx),
-            Request::Select(path) => self.selection = path,
-            Request::Leave(goal) => self.leave_for(goal, ctx),
-            Request::SaveStyle => self.dialogs.ask(ctx, Purpose::Style, "my.style.toml"),
-            Request::Seek(frame) => self.clock.seek(frame),
-            Request::ShowText(span) => {
-                self.settings.text = true;
-                self.jump = Some(span);
-            }
-        }
-    }
-
-    fn obey(&mut self, command: Command, ctx: &Context) {
-        match command {
-            Command::New => self.leave_for(Goal::New, ctx),
-            Command::Open => self.leave_for(Goal::Choose, ctx),
-            Command::Save => self.save_scene(ctx),
-            Command::SaveAs => self.dialogs.ask(ctx, Purpose::Save, self.project.name()),
-            Command::Render => self.order(Work::Picture),
-            Command::Export => self.order(Work::Drawing),
-            Command::Undo => self.project.undo(),
-            Command::Redo => self.project.redo(),
-            Command::Duplicate => self.change_selected(|_, selected| selection::duplicate(selected)),
-            Command::Delete => self.change_selected(selection::delete),
-            Command::Rename => self.tree.rename(&self.selection),
-            Command::Play => self.clock.playing = !self.clock.playing,
-            Command::PreviousFrame => self.clock.step(-1),
-            Command::NextFrame => self.clock.step(1),
-            Command::FirstFrame => self.clock.seek(0),
-            Command::LastFrame => self.clock.seek(u32::MAX),
-            Command::SceneCamera => self.viewport.forget(),
-            Command::LookFrom(side) => {
-                if let Some(stage) = &self.stage {
-                    self.viewport.look_from(stage, side);
-                }
-            }
-            Command::ToggleTree => self.settings.tree ^= true,
-            Command::ToggleInspector => self.settings.inspector ^= true,
-            Command::ToggleStyles => self.settings.styles ^= true,
-            Command::ToggleText => self.settings.text ^= true,
-            Command::ToggleGrid => self.settings.grid ^= true,
-            Command::ToggleTimes => self.settings.times ^= true,
-            Command::ToggleTheme => {
-                let dark = ctx.theme() == egui::Theme::Dark;
-                ctx.set_theme(if dark { egui::Theme::Light } else { egui::Theme::Dark });
-            }
-            Command::Palette => self.palette.open(),
-            Command::FrameAll => self.look_at(&Path::root().key("object")),
-            Command::FrameSelected => self.look_at(&self.selection.clone()),
-            Command::KeepView => self.keep_view(),
-            Command::Quit => self.leave_for(Goal::Quit, ctx),
-        }
-    }
-}
-
-impl App {
-    /// Looks at what lies at `path`.
-    fn look_at(&mut self, path: &Path) {
-        let found = ball(&handles(self.project.document(), path));
-        if let (Some(stage), Some(ball)) = (&self.stage, found) {
-            self.viewport.frame(stage, ball);
-        }
-    }
-
-    /// Makes what is seen the view of the scene's first camera.
-    fn keep_view(&mut self) {
-        let Some(camera) = self.stage.as_ref().and_then(|stage| self.viewport.camera(stage)) else { return };
-        let path = Path::root().key("camera").index(0);
-        let place = |metres: [f32; 3]| Value::Array(metres.map(|metres| Value::Float(metres.into())).into());
-        let edits = [("eye", camera.eye), ("target", camera.target), ("up", camera.up)];
-        let edits = edits.map(|(key, at)| Edit::Set { path: path.key(key), value: place(at) }).into();
-        let edit = Edit::All { label: "Put the scene's camera here".into(), edits };
-        match self.project.edit(&edit, None) {
-            Ok(()) => self.viewport.forget(),
-            Err(error) => self.refusal = Some(error.to_string()),
-        }
-    }
-
-    /// Does to the selected element what `change` says, and selects what it leads to.
-    fn change_selected(&mut self, change: impl Fn(&Document, &Path) -> Option<(Edit, Path)>) {
-        let Some((edit, next)) = change(self.project.document(), &self.selection) else { return };
-        match self.project.edit(&edit, None) {
-            Ok(()) => self.selection = next,
-            Err(error) => self.refusal = Some(error.to_string()),
-        }
     }
 }
 

@@ -3,4 +3,5 @@
 mod desk;
 mod files;
 mod output;
+mod tree;
 mod view;
