@@ -13,6 +13,9 @@ pub(crate) struct Project {
     /// Where it is saved to without asking.
     #[cfg(not(target_arch = "wasm32"))]
     path: Option<std::path::PathBuf>,
+    /// What the file said when it was last read or written here.
+    #[cfg(not(target_arch = "wasm32"))]
+    on_disk: Option<String>,
     pub(crate) files: Files,
     /// What the text means, where it means anything.
     scene: Option<Scene>,
@@ -27,6 +30,8 @@ impl Project {
             name: name.into(),
             #[cfg(not(target_arch = "wasm32"))]
             path: None,
+            #[cfg(not(target_arch = "wasm32"))]
+            on_disk: None,
             files,
             scene: None,
             report: Report::default(),
@@ -110,6 +115,7 @@ impl Project {
         let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy();
         let mut project = Self::new(name, text, Files::beside(path)).with_context(shown)?;
         project.path = Some(path.to_owned());
+        project.on_disk = Some(project.document.text().to_owned());
         Ok(project)
     }
 
@@ -132,6 +138,7 @@ impl Project {
     /// one is whole.
     pub(crate) fn save(&mut self, path: &std::path::Path) -> anyhow::Result<()> {
         use std::io::Write as _;
+        self.check_others(path)?;
         let folder = path.parent().unwrap_or(std::path::Path::new(""));
         for (name, bytes) in self.files.in_memory() {
             let place = folder.join(name);
@@ -141,9 +148,25 @@ impl Project {
         }
         fumetto_disk::write(path, |draft| draft.write_all(self.document.text().as_bytes()))?;
         self.document.mark_saved();
+        self.on_disk = Some(self.document.text().to_owned());
         self.path = Some(path.to_owned());
         self.name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
         self.check();
+        Ok(())
+    }
+
+    /// Refuses once to write over what another program has made of the scene's own file.
+    fn check_others(&mut self, path: &std::path::Path) -> anyhow::Result<()> {
+        let is_own = self.path.as_deref() == Some(path);
+        let Ok(now) = fumetto_disk::read_text(path) else { return Ok(()) };
+        if is_own && self.on_disk.as_ref().is_some_and(|known| *known != now) {
+            // Whoever saves once more has been told.
+            self.on_disk = Some(now);
+            anyhow::bail!(
+                "{} was changed by another program meanwhile; save under another name, or save once more to write over it",
+                path.display()
+            );
+        }
         Ok(())
     }
 }

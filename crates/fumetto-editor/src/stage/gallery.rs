@@ -6,7 +6,7 @@ use fumetto::Shot;
 use fumetto_scene::presets;
 
 use super::canvas::Canvas;
-use super::{Stage, with_causes};
+use super::{Stage, before_grey, with_causes};
 use crate::project::Project;
 
 /// How wide a picture of the gallery is, in pixels.
@@ -64,6 +64,7 @@ impl Stage {
         let render = &self.gallery.render;
         let canvas = self.gallery.canvases.entry(preset).or_insert_with(|| Canvas::new(render.clone()));
         let view = canvas.texture(shot.size).create_view(&wgpu::TextureViewDescriptor::default());
+        let scene = before_grey(scene);
         self.engine.draw_as(player, scene, Box::new(project.files.clone()), &shot, &view)?;
         let picture = canvas.show();
         let wake = self.wake.clone();

@@ -9,7 +9,7 @@ use std::time::Duration;
 use eframe::egui_wgpu::RenderState;
 use egui::TextureId;
 use fumetto::{Assets, Engine, Gpu, Player, Shot, Trouble};
-use fumetto_scene::{Camera, Scene};
+use fumetto_scene::{Background, Camera, Colour, Scene};
 
 use self::{canvas::Canvas, gallery::Gallery, pace::Pace};
 
@@ -75,6 +75,7 @@ impl Stage {
     /// Plays `scene` from now on. Where its files are missing or it does not fit the device, the scene before it
     /// stays.
     pub(crate) fn play(&mut self, scene: Scene, assets: Box<dyn Assets>) {
+        let scene = before_grey(scene);
         let played = match &mut self.player {
             Some(player) => self.engine.renew(player, scene, assets),
             None => self.engine.play(scene, assets).map(|player| self.player = Some(player)),
@@ -188,6 +189,16 @@ impl Stage {
         self.pace.begin(&self.engine.gpu().queue, counts, move || wake.request_repaint());
         Ok(())
     }
+}
+
+/// A scene without a background is shown before this, for a window has no alpha of its own.
+const GREY: Colour = Colour { linear: [0.12, 0.12, 0.12] };
+
+fn before_grey(mut scene: Scene) -> Scene {
+    if scene.background == Background::Transparent {
+        scene.background = Background::Colour(GREY);
+    }
+    scene
 }
 
 /// An error with what led to it.

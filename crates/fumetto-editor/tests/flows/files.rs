@@ -79,3 +79,24 @@ fn a_disk_that_refuses_costs_nothing() {
     desk.window.get_by_label_contains("there is no folder");
     assert!(desk.window.state().text().contains("ball 2"), "the work is still there");
 }
+
+#[test]
+fn what_another_program_wrote_is_not_lost_unseen() {
+    let mut desk = Desk::open();
+    let scene = desk.folder.path().join("ball.toml");
+    fs::write(&scene, SCENE).unwrap();
+    desk.window.state_mut().open(&scene).unwrap();
+    desk.settle();
+    desk.click("ball");
+    desk.window.key_press_modifiers(Modifiers::COMMAND, Key::D);
+    desk.window.run_steps(2);
+    fs::write(&scene, "# another's\n").unwrap();
+    let save = |desk: &mut Desk| {
+        desk.window.key_press_modifiers(Modifiers::COMMAND, Key::S);
+        desk.window.run_steps(2);
+        fs::read_to_string(&scene).unwrap()
+    };
+    assert_eq!(save(&mut desk), "# another's\n");
+    desk.window.get_by_label_contains("changed by another program");
+    assert!(save(&mut desk).contains("ball 2"), "who saves once more means it");
+}
