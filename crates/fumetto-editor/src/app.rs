@@ -23,7 +23,7 @@ use crate::request::{Request, Requests};
 use crate::selection;
 use crate::settings::Settings;
 use crate::stage::Stage;
-use crate::view::{Viewport, handles_of_selected};
+use crate::view::{Hand, Viewport};
 
 /// Under this name the settings are kept.
 const SETTINGS: &str = "settings";
@@ -225,8 +225,8 @@ impl App {
         CentralPanel::default().show(ui, |ui| {
             if let Some(stage) = &mut self.stage {
                 let moment = (self.clock.frame(), self.clock.playing);
-                let handles = handles_of_selected(self.project.document(), &self.selection);
-                let hand = (&handles[..], &mut self.requests);
+                let (document, selected) = (self.project.document(), &self.selection);
+                let hand = Hand { document, selected, requests: &mut self.requests };
                 self.viewport.ui(ui, stage, moment, self.settings.navigation, hand);
             }
         });

@@ -93,8 +93,14 @@ impl Gizmo {
     }
 }
 
+/// A way on the screen, in points, as a direction in the picture's plane.
+pub(super) fn in_plane(camera: &Camera, way: egui::Vec2) -> Vec3 {
+    let [right, up, _] = axes(camera);
+    way.x * right - way.y * up
+}
+
 /// How many metres a point of the screen is, where something is.
-fn metres_a_point(camera: &Camera, at: Vec3, rect: Rect) -> f32 {
+pub(super) fn metres_a_point(camera: &Camera, at: Vec3, rect: Rect) -> f32 {
     let [_, _, back] = axes(camera);
     let depth = (Vec3::from(camera.eye) - at).dot(back).max(1e-4);
     2.0 * depth * (0.5 * camera.fov_deg).to_radians().tan() / rect.height().max(1.0)
@@ -173,7 +179,7 @@ fn drag(
     let edit = match grip {
         Grip::Free(path) => held(path).map(|handle| {
             let metres = metres_a_point(camera, handle.at, rect);
-            let at = handle.at + metres * (way.x * right - way.y * up);
+            let at = handle.at + metres * in_plane(camera, way);
             (path, written(at))
         }),
         Grip::Along(path, axis) => held(path).map(|handle| {

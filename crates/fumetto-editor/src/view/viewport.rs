@@ -1,7 +1,8 @@
 use egui::{Color32, CornerRadius, Rect, Response, Sense, StrokeKind, Ui, Vec2};
+use fumetto_scene::edit::{Document, Path};
 use fumetto_scene::{Camera, Output};
 
-use super::{Gizmo, Handle, Navigation, Orbit, Side, overlay};
+use super::{Brush, Gizmo, Navigation, Orbit, Side, handles_of_selected, overlay};
 use crate::request::Requests;
 use crate::stage::{Stage, Wish};
 
@@ -13,8 +14,16 @@ pub(crate) struct Viewport {
     pub(crate) grid: bool,
     pub(crate) times: bool,
     gizmo: Gizmo,
+    brush: Brush,
     /// Seconds since the hand last moved the camera.
     rest_secs: f32,
+}
+
+/// What a hand over the picture changes, and how it asks for that.
+pub(crate) struct Hand<'a> {
+    pub(crate) document: &'a Document,
+    pub(crate) selected: &'a Path,
+    pub(crate) requests: &'a mut Requests,
 }
 
 /// So long after the last move a picture is drawn fine.
@@ -59,7 +68,7 @@ impl Viewport {
         stage: &mut Stage,
         (frame, playing): (u32, bool),
         navigation: Navigation,
-        (handles, requests): (&[Handle], &mut Requests),
+        Hand { document, selected, requests }: Hand<'_>,
     ) -> Response {
         let (room, _) = ui.allocate_exact_size(ui.available_size(), Sense::hover());
         let Some(mut camera) = self.camera(stage) else {
@@ -77,12 +86,17 @@ impl Viewport {
         let picture = ui.interact(rect, ui.scope_id().with("picture"), Sense::click_and_drag());
         picture.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, "Picture"));
         self.rest_secs += ui.input(|input| input.stable_dt).min(0.1);
-        self.gizmo.steer(ui, &picture, &camera, handles, requests);
-        if !self.gizmo.is_held() && navigation.steer(ui, &picture, &mut camera) {
+        let lays = self.brush.steer(ui, &picture, &camera, (document, selected), requests);
+        let handles = handles_of_selected(document, selected);
+        if !lays {
+            self.gizmo.steer(ui, &picture, &camera, &handles, requests);
+        }
+        let is_held = lays || self.gizmo.is_held();
+        if !is_held && navigation.steer(ui, &picture, &mut camera) {
             self.camera = Some(camera.clone());
             self.rest_secs = 0.0;
         }
-        let in_motion = playing || self.gizmo.is_held() || self.rest_secs < REST_SECS;
+        let in_motion = playing || is_held || self.rest_secs < REST_SECS;
         if in_motion {
             ui.request_repaint();
         }
@@ -103,7 +117,7 @@ impl Viewport {
         if self.grid {
             overlay::grid(&painter, &camera, rect);
         }
-        self.gizmo.draw(ui, rect, &camera, handles);
+        self.gizmo.draw(ui, rect, &camera, &handles);
         if self.times {
             self.times_ui(ui, stage, rect);
         }

@@ -106,3 +106,26 @@ fn a_click_selects_what_is_under_it() {
     desk.press(sky);
     assert_eq!(desk.window.state().selected(), "object[0].particles[0]", "the sky is nothing to select");
 }
+
+#[test]
+fn a_stroke_lays_a_chain_of_particles_in_one_step() {
+    let mut desk = Desk::open();
+    desk.menu(&["File", "Examples", "cloud-simple.toml"]);
+    desk.settle();
+    desk.click("cloud");
+    let before = desk.window.state().text().to_owned();
+    let picture = desk.window.get_by_label("Picture").rect();
+    desk.window.key_down(egui::Key::A);
+    desk.window.step();
+    let start = picture.min + picture.size() * egui::vec2(0.2, 0.15);
+    drag(&mut desk, start, start + egui::vec2(0.6 * picture.width(), 0.0));
+    desk.window.key_up(egui::Key::A);
+    desk.window.run_steps(2);
+    desk.settle();
+    desk.look("chain");
+    let particles = |text: &str| text.matches("center").count();
+    assert!(particles(desk.window.state().text()) >= particles(&before) + 3);
+    desk.window.key_press_modifiers(egui::Modifiers::COMMAND, egui::Key::Z);
+    desk.window.run_steps(2);
+    assert_eq!(desk.window.state().text(), before);
+}
