@@ -8,7 +8,7 @@ use crate::{console, gpu};
 
 pub(crate) fn run() -> anyhow::Result<ExitCode> {
     let instance = Instance::new(InstanceDescriptor::new_without_display_handle_from_env());
-    let adapters = pollster::block_on(instance.enumerate_adapters(Backends::all()));
+    let adapters = pollster::block_on(instance.enumerate_adapters(Backends::PRIMARY));
     for adapter in &adapters {
         console::print(&describe(adapter))?;
     }

@@ -39,7 +39,10 @@ impl Gpu {
     /// # Errors
     /// When there is no driver, or it refuses.
     pub async fn headless() -> Result<Self, GpuError> {
-        let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env());
+        let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle_from_env();
+        // Whoever else links `wgpu` may have built it with OpenGL, which has not all that is needed.
+        descriptor.backends.remove(wgpu::Backends::GL);
+        let instance = wgpu::Instance::new(descriptor);
         let adapter = instance
             .request_adapter(&wgpu::RequestAdapterOptions {
                 power_preference: wgpu::PowerPreference::HighPerformance,
