@@ -107,6 +107,17 @@ fn what_is_removed_leaves_the_rest_alone() {
 }
 
 #[test]
+fn a_table_without_a_header_gets_one() {
+    for (scene, toml, whole) in [
+        ("[a.b.c]\nk = 1\n", "{ a = 0, b = 0 }", "[a]\na = 0\nb = 0\n"),
+        ("[a.b]\nk = 1\n\n[a.c]\n", "{ b = 1, c = 2 }", "[a]\nb = 1\nc = 2\n"),
+        ("[a.b] # one\nk = 1\n", "{ b = { k = 1 }, d = 2 }", "[a]\nd = 2\n\n[a.b] # one\nk = 1\n"),
+    ] {
+        assert_eq!(after(scene, &set("a", toml)).trim_end(), whole.trim_end());
+    }
+}
+
+#[test]
 fn elements_come_with_their_comments() {
     let lines = "x = [\n  # the first\n  1, # one\n  2 # two\n]\n";
     let reorder = |text: &str, at: &str, to| after(text, &Edit::Move { path: path(at), to });

@@ -126,18 +126,21 @@ impl Draft<'_> {
             let Some(old) = written.key(key) else { continue };
             let path = step(path, Step::Key(key.to_owned()));
             match (table.get(key), written) {
+                (Some(new), _) if is_bare && !old.keeps_headers(new) => self.remove_key(&path, old),
                 (Some(new), _) => self.replace(&path, old, new),
                 (None, Written::Literal(_)) => gone.push(path),
                 (None, _) => self.remove_key(&path, old),
             }
         }
         inline::remove(self, &gone);
-        let new = table.iter().filter(|(key, _)| written.key(key).is_none());
         if is_bare {
-            let entries: Vec<String> = new.map(|(key, value)| write::entry(key, value)).collect();
-            self.add_with_header(path, &entries.join("\n"));
+            // All that needs the header comes under one.
+            let is_there = |key| written.key(key).is_some_and(|old| old.keeps_headers(&table[key]));
+            let lines = table.iter().filter(|(key, _)| !is_there(key.as_str()));
+            let lines: Vec<String> = lines.map(|(key, value)| write::entry(key, value)).collect();
+            self.add_with_header(path, &lines.join("\n"));
         } else {
-            for (key, value) in new {
+            for (key, value) in table.iter().filter(|(key, _)| written.key(key).is_none()) {
                 self.add(path, written, key, value);
             }
         }

@@ -116,6 +116,15 @@ impl<'a> Written<'a> {
         matches!(self, Self::Table(_) | Self::Literal(Literal::InlineTable(_)))
     }
 
+    /// Whether `value` can stand under the headers that this has.
+    pub(super) fn keeps_headers(self, value: &Value) -> bool {
+        match self {
+            Self::Table(_) => value.is_table(),
+            Self::Tables(_) => value.as_array().is_some_and(|items| items.iter().all(Value::is_table)),
+            Self::Literal(_) => false,
+        }
+    }
+
     /// The value of `key` in this table.
     pub(super) fn key(self, key: &str) -> Option<Self> {
         match self {
