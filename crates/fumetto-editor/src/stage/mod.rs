@@ -39,8 +39,6 @@ pub(crate) struct Stage {
     gallery: Gallery,
     pace: Pace,
     player: Option<Player>,
-    /// The frame that the player is at.
-    frame: Option<u32>,
     /// What the picture shows, and how coarsely.
     shown: Option<(Wish, u32)>,
     picture: Option<TextureId>,
@@ -64,7 +62,6 @@ impl Stage {
             canvas: Canvas::new(render),
             pace: Pace::default(),
             player: None,
-            frame: None,
             shown: None,
             picture: None,
             wake,
@@ -82,10 +79,6 @@ impl Stage {
         };
         self.error = played.err().map(|error| with_causes(&error));
         self.shown = None;
-        if self.error.is_none() {
-            // What moves may have begun anew; the engine knows.
-            self.frame = None;
-        }
     }
 
     /// The scene that is played.
@@ -165,12 +158,16 @@ impl Stage {
 
     fn draw(&mut self, wish: &Wish) -> Result<(), fumetto::Error> {
         let Some(player) = &mut self.player else { return Ok(()) };
-        let next = match self.frame {
-            Some(frame) if frame <= wish.frame => wish.frame.min(frame + FRAMES_AT_A_TIME),
-            _ => wish.frame,
+        let next = match player.reached() {
+            // What lies before is reached from the start.
+            Some(reached) => {
+                let from = if reached <= wish.frame { reached } else { 0 };
+                // A drawing that is held longer has to be left all the same.
+                wish.frame.min(from + FRAMES_AT_A_TIME.max(player.scene().time.hold))
+            }
+            None => wish.frame,
         };
         self.engine.seek(player, next)?;
-        self.frame = Some(next);
         let is_there = next == wish.frame;
         let coarseness = if wish.in_motion || !is_there { self.pace.coarseness() } else { 1 };
         let antialias = if coarseness == 1 && !wish.in_motion { player.scene().output.antialias } else { 1 };

@@ -167,6 +167,14 @@ impl Player {
         self.looks[0].drawn().iter().collect()
     }
 
+    /// The frame that the simulation has come to; `None` where nothing is simulated, and every frame is as near.
+    #[must_use]
+    pub fn reached(&self) -> Option<u32> {
+        let simulates = !self.paints.is_empty() || self.plumes().next().is_some();
+        let frames = self.steps / u64::from(self.scene.time.substeps);
+        simulates.then(|| u32::try_from(frames).unwrap_or(u32::MAX))
+    }
+
     /// Things to tell the user about the files that were read.
     #[must_use]
     pub fn notes(&self) -> &[String] {
