@@ -80,8 +80,7 @@ impl Job {
     pub(crate) fn stop(&mut self) {
         if self.state == State::Running {
             self.state = State::Stopped;
-            // Files get their names when they are whole, so nothing half-written is left by that.
-            let _ = self.child.kill();
+            interrupt(&mut self.child);
         }
     }
 
@@ -101,6 +100,19 @@ impl Drop for Job {
     fn drop(&mut self) {
         self.stop();
     }
+}
+
+/// As Ctrl-C does: the program takes away what is half-written. It may have ended already.
+#[cfg(unix)]
+fn interrupt(child: &mut Child) {
+    use rustix::process::{Pid, Signal, kill_process};
+    let _ = kill_process(Pid::from_child(child), Signal::INT);
+}
+
+/// Files get their names when they are whole, so nothing half-written has one.
+#[cfg(not(unix))]
+fn interrupt(child: &mut Child) {
+    let _ = child.kill();
 }
 
 /// The scene's own folder, or one with those of its files that are on no disk.
