@@ -254,7 +254,7 @@ impl eframe::App for App {
         for request in self.requests.take() {
             self.answer(request, &ctx);
         }
-        self.keep_safe();
+        self.keep_safe(&ctx);
     }
 
     fn save(&mut self, storage: &mut dyn eframe::Storage) {

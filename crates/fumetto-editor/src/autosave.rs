@@ -1,9 +1,10 @@
 //! What survives a crash: the text as it was some seconds before.
 
+use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
-use std::time::Duration;
-use std::{fs, io};
+use std::{fs, time::Duration};
 
+use tempfile::NamedTempFile;
 use web_time::Instant;
 
 /// So often is the text written while it changes: what a crash may cost.
@@ -12,17 +13,39 @@ const EVERY: Duration = Duration::from_secs(5);
 /// The first line of what is kept says where the scene lay, as a comment that no scene has.
 const MARK: &str = "#fumetto-autosave ";
 
+/// How the names of locks end.
+const LOCK: &str = ".lock";
+
 /// Keeps the unsaved text of one editor in a file of its own.
 #[derive(Debug)]
 pub(crate) struct Autosave {
-    file: PathBuf,
-    written: Option<(u64, Instant)>,
+    folder: PathBuf,
+    kept: Option<Kept>,
+}
+
+/// A text that is kept.
+#[derive(Debug)]
+struct Kept {
+    /// Locked while the editor runs, whatever becomes of it; the text lies beside it under the same name.
+    lock: NamedTempFile,
+    revision: u64,
+    when: Instant,
+}
+
+impl Kept {
+    fn text(&self) -> PathBuf {
+        text_of(self.lock.path())
+    }
+}
+
+fn text_of(lock: &Path) -> PathBuf {
+    lock.with_extension("toml")
 }
 
 /// A text that an editor left behind when it ended unexpectedly.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Left {
-    file: PathBuf,
+    lock: PathBuf,
     /// Where the scene was saved last, if it was.
     pub(crate) path: Option<PathBuf>,
     pub(crate) text: String,
@@ -31,31 +54,51 @@ pub(crate) struct Left {
 impl Autosave {
     /// In `folder`, beside those of other editors that run.
     pub(crate) fn new(folder: &Path) -> Self {
-        Self { file: folder.join(format!("{}.toml", std::process::id())), written: None }
+        Self { folder: folder.to_owned(), kept: None }
     }
 
-    /// Writes the text, if it has changed and that is due.
-    pub(crate) fn keep(&mut self, revision: u64, path: Option<&Path>, text: &str) -> io::Result<()> {
-        let is_due =
-            self.written.is_none_or(|(written, when)| written != revision && when.elapsed() >= EVERY);
-        if !is_due {
-            return Ok(());
-        }
-        self.written = Some((revision, Instant::now()));
-        if let Some(folder) = self.file.parent() {
-            fs::create_dir_all(folder)?;
-        }
+    /// Writes the text, if it has changed and that is due; otherwise tells how long it may still wait.
+    pub(crate) fn keep(
+        &mut self,
+        revision: u64,
+        path: Option<&Path>,
+        text: &str,
+    ) -> anyhow::Result<Option<Duration>> {
+        let lock = match self.kept.take() {
+            Some(kept) if kept.revision == revision => {
+                self.kept = Some(kept);
+                return Ok(None);
+            }
+            Some(kept) if kept.when.elapsed() < EVERY => {
+                let wait = EVERY.saturating_sub(kept.when.elapsed());
+                self.kept = Some(kept);
+                return Ok(Some(wait));
+            }
+            Some(kept) => kept.lock,
+            None => locked_in(&self.folder)?,
+        };
         let path = path.map_or_else(String::new, |path| path.display().to_string());
-        fs::write(&self.file, format!("{MARK}{path}\n{text}"))
+        let kept = Kept { lock, revision, when: Instant::now() };
+        let written = fumetto_disk::write(&kept.text(), |draft| write!(draft, "{MARK}{path}\n{text}"));
+        self.kept = Some(kept);
+        written.map(|()| None)
     }
 
     /// The text is safe elsewhere, or not wanted.
     pub(crate) fn forget(&mut self) {
-        if self.written.take().is_some() {
+        if let Some(kept) = self.kept.take() {
             // It is no longer needed; where it stays it is offered once more.
-            let _ = fs::remove_file(&self.file);
+            let _ = fs::remove_file(kept.text());
         }
     }
+}
+
+/// A locked file in `folder`.
+fn locked_in(folder: &Path) -> io::Result<NamedTempFile> {
+    fs::create_dir_all(folder)?;
+    let lock = tempfile::Builder::new().prefix("scene-").suffix(LOCK).tempfile_in(folder)?;
+    lock.as_file().try_lock().map_err(io::Error::from)?;
+    Ok(lock)
 }
 
 impl Left {
@@ -65,27 +108,26 @@ impl Left {
         entries.filter_map(|entry| Self::read(entry.ok()?.path())).collect()
     }
 
-    fn read(file: PathBuf) -> Option<Self> {
-        let process: u32 = file.file_stem()?.to_str()?.parse().ok()?;
-        if is_running(process) {
+    fn read(lock: PathBuf) -> Option<Self> {
+        let is_lock = lock.to_str().is_some_and(|name| name.ends_with(LOCK));
+        // A running editor has it locked.
+        if !is_lock || fs::File::open(&lock).ok()?.try_lock().is_err() {
             return None;
         }
-        let kept = fumetto_disk::read_text(&file).ok()?;
+        let kept = fumetto_disk::read_text(&text_of(&lock)).ok()?;
         let (mark, text) = kept.split_once('\n')?;
         let path = mark.strip_prefix(MARK)?;
         let path = (!path.is_empty()).then(|| PathBuf::from(path));
-        Some(Self { file, path, text: text.to_owned() })
+        Some(Self { lock, path, text: text.to_owned() })
     }
 
     /// It was opened again, or is not wanted.
     pub(crate) fn forget(&self) {
-        let _ = fs::remove_file(&self.file);
+        for file in [&text_of(&self.lock), &self.lock] {
+            // Where it stays it is offered once more.
+            let _ = fs::remove_file(file);
+        }
     }
-}
-
-/// Whether a process runs, as far as the system tells.
-fn is_running(process: u32) -> bool {
-    process == std::process::id() || Path::new("/proc").join(process.to_string()).exists()
 }
 
 #[cfg(test)]
@@ -96,9 +138,8 @@ mod tests {
     #[test]
     fn what_a_crash_leaves_is_found_once() {
         let folder = tempfile::tempdir().unwrap();
-        // No process has the largest number.
-        let file = folder.path().join(format!("{}.toml", u32::MAX));
-        fs::write(&file, format!("{MARK}/scenes/a.toml\nformat = 1\n")).unwrap();
+        fs::write(folder.path().join("scene-1.lock"), "").unwrap();
+        fs::write(folder.path().join("scene-1.toml"), format!("{MARK}/scenes/a.toml\nformat = 1\n")).unwrap();
         fs::write(folder.path().join("other.txt"), "no text of ours").unwrap();
         let left = Left::all(folder.path());
         assert_eq!(left.len(), 1);
@@ -112,10 +153,12 @@ mod tests {
     fn a_running_editor_keeps_its_own() {
         let folder = tempfile::tempdir().unwrap();
         let mut autosave = Autosave::new(&folder.path().join("new"));
-        autosave.keep(1, None, "format = 1\n").unwrap();
-        assert!(autosave.file.exists());
+        assert_eq!(autosave.keep(1, None, "format = 1\n").unwrap(), None);
+        let text = autosave.kept.as_ref().unwrap().text();
+        assert!(text.exists());
         assert_eq!(Left::all(&folder.path().join("new")), []);
+        assert!(autosave.keep(2, None, "format = 2\n").unwrap().is_some(), "it says when it is due");
         autosave.forget();
-        assert!(!autosave.file.exists());
+        assert!(!text.exists());
     }
 }

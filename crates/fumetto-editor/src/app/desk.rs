@@ -81,14 +81,20 @@ impl App {
     }
 
     /// Keeps what is not saved, for the case of a crash.
-    pub(super) fn keep_safe(&mut self) {
+    pub(super) fn keep_safe(&mut self, ctx: &Context) {
         let document = self.project.document();
         if !document.is_changed() {
             self.autosave.forget();
             return;
         }
-        if let Err(error) = self.autosave.keep(document.revision(), self.project.path(), document.text()) {
-            self.refusal = Some(format!("what is not saved cannot be kept for the case of a crash: {error}"));
+        match self.autosave.keep(document.revision(), self.project.path(), document.text()) {
+            // Nobody may touch anything until then.
+            Ok(Some(wait)) => ctx.request_repaint_after(wait),
+            Ok(None) => {}
+            Err(error) => {
+                self.refusal =
+                    Some(format!("what is not saved cannot be kept for the case of a crash: {error:#}"));
+            }
         }
     }
 

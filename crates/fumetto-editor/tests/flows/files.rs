@@ -51,8 +51,8 @@ fn changes_are_not_left_without_a_question() {
 #[test]
 fn what_a_crash_left_is_offered_again() {
     let folder = tempfile::tempdir().unwrap();
-    // No process has this number.
-    let left = folder.path().join(format!("{}.toml", u32::MAX));
+    let left = folder.path().join("scene-1.toml");
+    fs::write(folder.path().join("scene-1.lock"), "").unwrap();
     fs::write(&left, format!("#fumetto-autosave \n{SCENE}")).unwrap();
     let mut desk = Desk::open_with(folder);
     desk.window.run_steps(2);
