@@ -59,6 +59,11 @@ impl Clock {
         self.at = frame.clamp(self.range[0], self.range[1]).into();
     }
 
+    /// Plays or pauses; a single frame cannot be played.
+    pub(crate) fn toggle(&mut self) {
+        self.playing = !self.playing && self.range[0] < self.range[1];
+    }
+
     /// By so many frames, and stops there.
     pub(crate) fn step(&mut self, frames: i64) {
         self.playing = false;

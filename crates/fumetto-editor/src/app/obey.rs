@@ -45,7 +45,7 @@ impl App {
             Command::Duplicate => self.change_selected(|_, selected| selection::duplicate(selected)),
             Command::Delete => self.change_selected(selection::delete),
             Command::Rename => self.tree.rename(&self.selection),
-            Command::Play => self.clock.playing = !self.clock.playing,
+            Command::Play => self.clock.toggle(),
             Command::PreviousFrame => self.clock.step(-1),
             Command::NextFrame => self.clock.step(1),
             Command::FirstFrame => self.clock.seek(0),
