@@ -19,10 +19,13 @@ pub(crate) enum Purpose {
     Style,
 }
 
+/// What a window was asked for, and the file; none where it was closed.
+pub(crate) type Answer = (Purpose, Option<PathBuf>);
+
 /// The windows that are open, and what they answered.
 pub(crate) struct Dialogs {
-    sender: Sender<(Purpose, PathBuf)>,
-    answers: Receiver<(Purpose, PathBuf)>,
+    sender: Sender<Answer>,
+    answers: Receiver<Answer>,
 }
 
 impl Default for Dialogs {
@@ -38,11 +41,9 @@ impl Dialogs {
         let dialog = AsyncFileDialog::new().set_file_name(name);
         let (sender, ctx) = (self.sender.clone(), ctx.clone());
         let answer = move |file: Option<rfd::FileHandle>| {
-            if let Some(file) = file {
-                // Nobody listens any more once the editor has gone.
-                let _ = sender.send((purpose, file.path().to_owned()));
-                ctx.request_repaint();
-            }
+            // Nobody listens any more once the editor has gone.
+            let _ = sender.send((purpose, file.map(|file| file.path().to_owned())));
+            ctx.request_repaint();
         };
         let scenes = dialog.clone().add_filter("Scenes", &["toml"]);
         match purpose {
@@ -54,7 +55,7 @@ impl Dialogs {
     }
 
     /// The answers that came in.
-    pub(crate) fn answers(&self) -> Vec<(Purpose, PathBuf)> {
+    pub(crate) fn answers(&self) -> Vec<Answer> {
         self.answers.try_iter().collect()
     }
 }

@@ -35,6 +35,11 @@ impl App {
     /// Does what the system's dialogs answered.
     pub(super) fn hear_dialogs(&mut self, ctx: &Context) {
         for (purpose, path) in self.dialogs.answers() {
+            let Some(path) = path else {
+                // Who gives the scene no name does not leave it either.
+                self.leaving = None;
+                continue;
+            };
             match purpose {
                 Purpose::Open => self.leave_for(Goal::File(path), ctx),
                 Purpose::Save => self.save_as(&path),

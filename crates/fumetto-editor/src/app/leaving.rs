@@ -5,7 +5,6 @@ use std::path::PathBuf;
 use egui::{Context, Modal, ViewportCommand};
 
 use super::App;
-use crate::dialogs::Purpose;
 use crate::examples::EXAMPLES;
 use crate::files::Files;
 use crate::project::Project;
@@ -19,8 +18,6 @@ pub(crate) enum Goal {
     Example(usize),
     /// A file.
     File(PathBuf),
-    /// A file to be chosen.
-    Choose,
     /// The end.
     Quit,
 }
@@ -54,7 +51,6 @@ impl App {
                 Project::new(example.name, example.text.to_owned(), example.files()).map_err(Into::into)
             }
             Goal::File(path) => Project::open(&path).inspect(|_| self.settings.remember(&path)),
-            Goal::Choose => return self.dialogs.ask(ctx, Purpose::Open, ""),
             Goal::Quit => {
                 self.may_quit = true;
                 self.autosave.forget();
@@ -103,6 +99,7 @@ impl App {
                 if let Some(leaving) = &mut self.leaving {
                     leaving.saves = true;
                 }
+                self.refusal = None;
                 self.save_scene(ctx);
             }
             Some(Choice::Discard) => {

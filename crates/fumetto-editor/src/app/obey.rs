@@ -35,7 +35,7 @@ impl App {
     fn obey(&mut self, command: Command, ctx: &Context) {
         match command {
             Command::New => self.leave_for(Goal::New, ctx),
-            Command::Open => self.leave_for(Goal::Choose, ctx),
+            Command::Open => self.dialogs.ask(ctx, Purpose::Open, ""),
             Command::Save => self.save_scene(ctx),
             Command::SaveAs => self.dialogs.ask(ctx, Purpose::Save, self.project.name()),
             Command::Render => self.order(Work::Picture),
