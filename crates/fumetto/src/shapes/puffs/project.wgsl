@@ -34,6 +34,13 @@ fn ink_of(puff: Puff, style: ObjectStyle, sprite: Sprite, width_px: f32) -> vec4
     );
 }
 
+// Most are no extremes, and to look is cheaper than to wait in line.
+fn raise(index: u32, to: u32) {
+    if atomicLoad(&summary[index]) < to {
+        atomicMax(&summary[index], to);
+    }
+}
+
 @compute @workgroup_size(256)
 fn main(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: vec3u, @builtin(local_invocation_index) lane: u32) {
     let item = (group.y * groups.x + group.x) * 256u + lane;
@@ -59,7 +66,7 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: ve
     textureStore(projected, projected_at(item, 3u), ink_of(puff, style, sprite, width_px));
     let nearest = sprite.distance - puff.radius;
     let depth = bitcast<u32>(depth_of(nearest));
-    atomicMax(&summary[0], depth);
-    atomicMax(&summary[1], ~depth);
-    atomicMax(&summary[4], ~bitcast<u32>(max(ink_distance - nearest, 0.0)));
+    raise(0u, depth);
+    raise(1u, ~depth);
+    raise(4u, ~bitcast<u32>(max(ink_distance - nearest, 0.0)));
 }
