@@ -20,7 +20,9 @@ pub(crate) enum Stop {
     #[error("{0}")]
     Usage(String),
     /// Ctrl-C.
-    #[error("interrupted; finished files stay, and a sequence goes on with --resume")]
+    #[error(
+        "interrupted; finished files stay: a sequence goes on with --resume, and baking when it is begun again"
+    )]
     Interrupted,
 }
 

@@ -1,6 +1,7 @@
 //! `fumetto`: draws smoke, clouds and fog as a cartoonist would, from the shell.
 
 mod args;
+mod cache;
 mod commands;
 mod console;
 mod exit;

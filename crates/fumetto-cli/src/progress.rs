@@ -6,12 +6,14 @@ use fumetto::Print;
 use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::json;
 
+use crate::args::FrameRange;
 use crate::console;
-use crate::render::Plan;
 
 /// Tells what has been done.
 pub(crate) struct Progress<'a> {
-    plan: &'a Plan,
+    frames: FrameRange,
+    /// The file that a frame goes to.
+    file: Box<dyn Fn(u32) -> String + 'a>,
     /// Not drawn unless standard error is a terminal.
     bar: ProgressBar,
     json: bool,
@@ -21,13 +23,20 @@ pub(crate) struct Progress<'a> {
 }
 
 impl<'a> Progress<'a> {
-    pub(crate) fn new(plan: &'a Plan, json: bool) -> Self {
-        let bar = ProgressBar::new(plan.frames.len());
+    /// Of `frames`, each of which goes to a `file`.
+    pub(crate) fn new(frames: FrameRange, file: impl Fn(u32) -> String + 'a, json: bool) -> Self {
+        let bar = ProgressBar::new(frames.len());
         if let Ok(style) = ProgressStyle::with_template("{bar:30} {pos}/{len} frames{msg}, {eta} left") {
             bar.set_style(style);
         }
         bar.enable_steady_tick(Duration::from_millis(200));
-        Self { plan, bar, json, start: Instant::now(), written: 0, skipped: 0 }
+        Self { frames, file: Box::new(file), bar, json, start: Instant::now(), written: 0, skipped: 0 }
+    }
+
+    /// Of those frames only so many differ.
+    pub(crate) fn of(self, count: usize) -> Self {
+        self.bar.set_length(count as u64);
+        self
     }
 
     /// A tile of the frame at hand has been drawn.
@@ -36,14 +45,13 @@ impl<'a> Progress<'a> {
         self.bar.set_message(if drawn < all { format!(" and {drawn}/{all} tiles") } else { String::new() });
     }
 
-    /// `frame` has been written.
-    pub(crate) fn wrote(&mut self, frame: u32, took: Duration) -> anyhow::Result<()> {
+    /// `frame` has been written, and files of its `layers` with it.
+    pub(crate) fn wrote(&mut self, frame: u32, took: Duration, layers: Vec<String>) -> anyhow::Result<()> {
         self.written += 1;
         self.bar.inc(1);
-        let mut line = json!({ "frame": frame, "file": self.plan.file(frame), "ms": millis(took) });
-        if !self.plan.layers.is_empty() {
-            let layers = &self.plan.layers;
-            line["layers"] = layers.iter().map(|&layer| self.plan.layer_file(frame, layer)).collect();
+        let mut line = json!({ "frame": frame, "file": (self.file)(frame), "ms": millis(took) });
+        if !layers.is_empty() {
+            line["layers"] = layers.into();
         }
         self.print(&line)
     }
@@ -54,7 +62,7 @@ impl<'a> Progress<'a> {
         self.bar.inc(1);
         // What takes no time says nothing about the rest.
         self.bar.reset_eta();
-        self.print(&json!({ "frame": frame, "file": self.plan.file(frame), "ms": 0.0, "skipped": true }))
+        self.print(&json!({ "frame": frame, "file": (self.file)(frame), "ms": 0.0, "skipped": true }))
     }
 
     /// All is done, by `adapter` if anything was drawn.
@@ -73,8 +81,7 @@ impl<'a> Progress<'a> {
     }
 
     fn summary(&self, secs: f64, adapter: Option<&str>) -> String {
-        let (first, last) = (self.plan.frames.first, self.plan.frames.last);
-        let files = match (self.plan.file(first), self.plan.file(last)) {
+        let files = match ((self.file)(self.frames.first), (self.file)(self.frames.last)) {
             (first, last) if first == last => first,
             (first, last) => format!("{first} to {last}"),
         };

@@ -3,10 +3,13 @@
 use std::path::Path;
 
 use anyhow::Context as _;
-use fumetto::{DrawingOptions, Engine, Export, Layer, Player, Print, Shot, Tiling, Trouble};
+use fumetto::{
+    DrawingOptions, Engine, Export, Extent, Layer, Player, Print, Shot, Snapshot, Tiling, Trouble,
+};
 use fumetto_formats::{Drawing, Grid, Image, is_sequence};
 use fumetto_scene::{Matter, Particle, Scene};
 
+use crate::cache::{Cache, Found};
 use crate::console;
 use crate::gpu;
 use crate::interrupt::Interrupt;
@@ -26,6 +29,8 @@ pub(crate) struct Stage {
     /// The frame that it is at.
     frame: u32,
     reads_sequences: bool,
+    /// Frames that need not be simulated.
+    cache: Option<Cache>,
 }
 
 impl Stage {
@@ -44,7 +49,20 @@ impl Stage {
         for note in player.notes() {
             console::say(&format!("note: {note}"));
         }
-        Ok(Self { engine, player, trouble, name, frame: 0, reads_sequences })
+        Ok(Self { engine, player, trouble, name, frame: 0, reads_sequences, cache: None })
+    }
+
+    /// Takes what moves out of a folder that was baked, if one is named.
+    pub(crate) fn use_cache(&mut self, folder: Option<&Path>) -> anyhow::Result<()> {
+        if let Some(folder) = folder {
+            self.cache = Some(Cache::open(folder, self.player.fingerprint())?);
+        }
+        Ok(())
+    }
+
+    /// The scene at this moment.
+    pub(crate) fn player(&self) -> &Player {
+        &self.player
     }
 
     /// The graphics adapter in words.
@@ -54,6 +72,12 @@ impl Stage {
 
     /// Takes the scene to `frame`.
     pub(crate) fn seek(&mut self, frame: u32, interrupt: &Interrupt) -> anyhow::Result<()> {
+        let held = frame - frame % self.player.scene().time.hold;
+        if let Some(snapshot) = self.cached(held)? {
+            // What comes after what is only shown is simulated from the start.
+            self.frame = 0;
+            return self.recall(&snapshot);
+        }
         // Sequences of files need not have the frames before the first that is drawn.
         if !self.reads_sequences {
             for stop in (self.frame..frame).step_by(FRAMES_AT_A_TIME) {
@@ -65,6 +89,45 @@ impl Stage {
         self.engine.seek(&mut self.player, frame).with_context(|| self.name.clone())?;
         self.frame = frame;
         Ok(self.trouble.check()?)
+    }
+
+    /// What the cache has of a frame.
+    fn cached(&mut self, frame: u32) -> anyhow::Result<Option<Snapshot>> {
+        let Some(cache) = &self.cache else { return Ok(None) };
+        let folder = cache.folder().display();
+        match cache.find(frame)? {
+            Found::Ours => Ok(Some(cache.read(frame)?)),
+            Found::Nothing => {
+                console::say(&format!("note: frame {frame} is not in {folder}: it is simulated"));
+                Ok(None)
+            }
+            Found::Other => {
+                console::say(&format!(
+                    "note: {folder} holds another scene's simulation, or this one's before it was changed: all is \
+                     simulated"
+                ));
+                self.cache = None;
+                Ok(None)
+            }
+        }
+    }
+
+    /// Goes on from a snapshot of all that moves.
+    pub(crate) fn go_on_from(&mut self, snapshot: &Snapshot) -> anyhow::Result<()> {
+        self.frame = snapshot.frame;
+        self.recall(snapshot)
+    }
+
+    fn recall(&mut self, snapshot: &Snapshot) -> anyhow::Result<()> {
+        self.engine.recall(&mut self.player, snapshot).with_context(|| self.name.clone())?;
+        Ok(self.trouble.check()?)
+    }
+
+    /// What moves, at this moment.
+    pub(crate) fn snapshot(&self, extent: Extent) -> anyhow::Result<Snapshot> {
+        let snapshot = self.engine.snapshot(&self.player, extent);
+        self.trouble.check()?;
+        snapshot.with_context(|| self.name.clone())
     }
 
     /// The number of the drawing that `frame` shows.

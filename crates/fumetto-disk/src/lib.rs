@@ -6,5 +6,5 @@
 mod read;
 mod write;
 
-pub use read::{SceneFolder, read_standard_input, read_text};
+pub use read::{SceneFolder, read_beginning, read_bytes, read_standard_input, read_text};
 pub use write::{Draft, check, write};

@@ -23,6 +23,24 @@ pub fn read_text(path: &Path) -> io::Result<String> {
     text(read_at_most(path, MAX_TEXT_BYTES)?)
 }
 
+/// The bytes of a file that the user names.
+///
+/// # Errors
+/// When there is none, it cannot be read or is too long.
+pub fn read_bytes(path: &Path) -> io::Result<Vec<u8>> {
+    read_at_most(path, MAX_ASSET_BYTES)
+}
+
+/// The first bytes of a file that the user names; fewer where it is shorter.
+///
+/// # Errors
+/// When there is none, or it cannot be read.
+pub fn read_beginning(path: &Path, bytes: usize) -> io::Result<Vec<u8>> {
+    let mut beginning = Vec::new();
+    File::open(path)?.take(bytes as u64).read_to_end(&mut beginning)?;
+    Ok(beginning)
+}
+
 /// The text of a scene that comes in by a pipe.
 ///
 /// # Errors

@@ -11,11 +11,13 @@
 //! | volumes: [`read_volume`] (OpenVDB, NRRD, npy), [`read_raw_volume`] | volumes: [`write_vdb`] |
 //! | pictures: [`read_png`] | pictures: [`write_png`], [`write_png_bands`] |
 //! | | animations: [`GifWriter`] |
+//! | caches: [`read_cached_frame`] | caches: [`write_cached_frame`] |
 //! | | drawings: [`write_svg`], [`write_animated_svg`], [`write_pdf`] |
 //!
 //! Any bytes are welcome as input: they give data or an error that names the file and the place,
 //! never a panic, a hang or an allocation that the file's own length does not justify.
 
+mod cache;
 mod drawing;
 mod error;
 mod excerpt;
@@ -30,6 +32,10 @@ mod sequence;
 mod solid;
 mod volume;
 
+pub use cache::{
+    CACHE_HEADER_BYTES, CacheError, CachedFrame, read_cache_fingerprint, read_cached_frame,
+    write_cached_frame,
+};
 pub use drawing::{Drawing, Folder, Item, Paper, Shape, write_animated_svg, write_pdf, write_svg};
 pub use error::{FormatError, Position, WriteError};
 pub use gif::{GifWriter, MAX_GIF_FPS, MIN_GIF_FPS};

@@ -5,7 +5,7 @@ use fumetto_scene::Particle;
 use pollster::block_on;
 
 use crate::{
-    DrawingOptions, Engine, Error, Export, Layer, LineModel, Player, Print, Shot,
+    DrawingOptions, Engine, Error, Export, Extent, Layer, LineModel, Player, Print, Shot, Snapshot,
     shapes::surface::SurfaceSize,
 };
 
@@ -32,6 +32,14 @@ impl Engine {
     /// When the device is lost.
     pub fn atlas(&self, player: &Player) -> Result<Vec<(&'static str, Image)>, Error> {
         block_on(self.atlas_async(player))
+    }
+
+    /// Blocks on [`snapshot_async`](Self::snapshot_async).
+    ///
+    /// # Errors
+    /// When a number is none, or the device is lost.
+    pub fn snapshot(&self, player: &Player, extent: Extent) -> Result<Snapshot, Error> {
+        block_on(self.snapshot_async(player, extent))
     }
 
     /// Blocks on [`surfaces_async`](Self::surfaces_async).

@@ -143,22 +143,27 @@ impl Engine {
         }
         player.read_sequences(&self.gpu, frame)?;
         self.advance(player, u64::from(frame) * u64::from(player.scene().time.substeps));
+        self.present(player, frame);
+        Ok(())
+    }
+
+    /// Shows `frame`, at which all that is simulated is already.
+    pub(crate) fn present(&self, player: &mut Player, frame: u32) {
         player.animate(&self.gpu, frame);
         self.show(player, frame);
         player.shown = Some(frame);
-        Ok(())
     }
 
     /// Runs the simulation to just after `steps` steps.
     fn advance(&self, player: &mut Player, steps: u64) {
-        if steps < player.steps {
+        if steps < player.steps || !player.can_go_on {
             let mut frame = Frame::new(&self.gpu, &self.pool, "particles.reset");
             for plume in player.plumes() {
                 plume.reset(&mut frame);
             }
             player.paints.reset(&mut frame);
             frame.submit();
-            player.steps = 0;
+            (player.steps, player.can_go_on) = (0, true);
         }
         let dt = player.scene().time.step_secs();
         while player.steps < steps {

@@ -113,6 +113,25 @@ pub enum Error {
         /// Of the device.
         allowed: u64,
     },
+    /// A number of the simulation is none.
+    #[error(
+        "frame {frame}: the {quantity} of a particle of `{object}` is no finite number. Make the scene's steps \
+         shorter (`time.substeps`), or the forces on it weaker"
+    )]
+    NotANumber {
+        /// From 0.
+        frame: u32,
+        /// Whose particle it is.
+        object: String,
+        /// What of it.
+        quantity: &'static str,
+    },
+    /// A snapshot has other parts than the scene.
+    #[error("the snapshot of frame {frame} is of another scene")]
+    Snapshot {
+        /// From 0.
+        frame: u32,
+    },
     /// The device cannot be had, or failed.
     #[error(transparent)]
     Gpu(#[from] GpuError),

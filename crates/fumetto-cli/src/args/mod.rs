@@ -35,6 +35,8 @@ pub(crate) enum Command {
     Render(RenderArgs),
     /// Write what a scene's drawings are made of.
     Export(ExportArgs),
+    /// Simulate a scene once, so that its frames can be drawn in any order, and on several machines.
+    Bake(BakeArgs),
     /// Tell every problem of a scene, with line and column.
     Check(CheckArgs),
     /// Tell what is in a scene, and what it will cost.
@@ -88,6 +90,9 @@ pub(crate) struct RenderArgs {
     /// Samples along each side of a pixel, 1 (hard edges) to 4, in place of the scene's.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=4))]
     pub(crate) antialias: Option<u32>,
+    /// A folder that `fumetto bake` filled. Frames of which it has the simulation are not simulated again.
+    #[arg(long, value_name = "DIR")]
+    pub(crate) cache: Option<PathBuf>,
     /// Write these layers beside each .png, as in `smoke.0001.normal.png`: normal, depth, id, alpha, ink.
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     pub(crate) layers: Vec<Layer>,
@@ -124,9 +129,28 @@ pub(crate) struct ExportArgs {
     /// These frames, the first and the last included.
     #[arg(long, value_name = "A..B")]
     pub(crate) frames: Option<FrameRange>,
+    /// A folder that `fumetto bake` filled. Frames of which it has the simulation are not simulated again.
+    #[arg(long, value_name = "DIR")]
+    pub(crate) cache: Option<PathBuf>,
     #[command(flatten)]
     pub(crate) drawing: DrawingArgs,
     /// Print a JSON object for each file, and one at the end.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+#[derive(Args, Debug)]
+pub(crate) struct BakeArgs {
+    #[command(flatten)]
+    pub(crate) scene: SceneArgs,
+    /// The folder that the frames go to; it is made if there is none. What an earlier run left there is kept, and
+    /// the simulation goes on from there.
+    #[arg(short, long = "output", value_name = "DIR")]
+    pub(crate) out: PathBuf,
+    /// These frames, the first and the last included. Default: all of the scene.
+    #[arg(long, value_name = "A..B")]
+    pub(crate) frames: Option<FrameRange>,
+    /// Print a JSON object for each frame, and one at the end.
     #[arg(long)]
     pub(crate) json: bool,
 }

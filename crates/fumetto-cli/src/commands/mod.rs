@@ -1,5 +1,6 @@
 //! One file for each command.
 
+mod bake;
 mod check;
 mod doctor;
 mod edit;
@@ -18,6 +19,7 @@ pub(crate) fn run(command: Command) -> anyhow::Result<ExitCode> {
     match command {
         Command::Render(args) => render::run(&args),
         Command::Export(args) => export::run(&args),
+        Command::Bake(args) => bake::run(&args),
         Command::Check(args) => check::run(&args),
         Command::Info(args) => info::run(&args),
         Command::New(args) => new::run(&args),

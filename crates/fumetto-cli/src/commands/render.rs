@@ -21,10 +21,12 @@ pub(crate) fn run(args: &RenderArgs) -> anyhow::Result<ExitCode> {
     let mut stage = if everything_is_done {
         None
     } else {
-        Some(Stage::new(&args.scene.scene, opened.scene, opened.folder)?)
+        let mut stage = Stage::new(&args.scene.scene, opened.scene, opened.folder)?;
+        stage.use_cache(args.cache.as_deref())?;
+        Some(stage)
     };
 
-    let mut progress = Progress::new(&plan, args.json);
+    let mut progress = Progress::new(plan.frames, |frame| plan.file(frame), args.json);
     let mut shown: Option<Drawing> = None;
     for frame in plan.frames.iter() {
         interrupt.check()?;
@@ -42,7 +44,7 @@ pub(crate) fn run(args: &RenderArgs) -> anyhow::Result<ExitCode> {
                     Ok(band)
                 })?;
                 shown = Some(drawing);
-                progress.wrote(frame, start.elapsed())?;
+                progress.wrote(frame, start.elapsed(), plan.layer_files(frame))?;
             }
             _ => progress.skipped(frame)?,
         }

@@ -64,12 +64,15 @@ impl Plan {
         with_part(&self.file(frame), &layer.to_string())
     }
 
+    /// The files that the layers of `frame` go to.
+    pub(crate) fn layer_files(&self, frame: u32) -> Vec<String> {
+        self.layers.iter().map(|&layer| self.layer_file(frame, layer)).collect()
+    }
+
     /// Whether `frame` need not be drawn, because an earlier run has written all its files.
     pub(crate) fn is_done(&self, frame: u32) -> bool {
         let is_file = |name: String| Path::new(&name).is_file();
-        self.resume
-            && is_file(self.file(frame))
-            && self.layers.iter().all(|&layer| is_file(self.layer_file(frame, layer)))
+        self.resume && is_file(self.file(frame)) && self.layer_files(frame).into_iter().all(is_file)
     }
 }
 

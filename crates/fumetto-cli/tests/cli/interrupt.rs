@@ -61,6 +61,18 @@ fn the_finished_pictures_of_a_sequence_stay_and_can_be_gone_on_with() {
 }
 
 #[test]
+fn baking_goes_on_after_an_interruption() {
+    let folder = Folder::with_smoke();
+    let child = start(&folder, &["bake", "smoke.toml", "-o", "cache", "--frames", "0..1000000"]);
+    wait_until(|| folder.path("cache/0010.frame").exists());
+    interrupt(child);
+    assert!(folder.path("cache/checkpoint.frame").exists());
+    let last = std::fs::read_dir(folder.path("cache")).unwrap().count() as u32 * 2;
+    let more = ["bake", "smoke.toml", "-o", "cache", "--frames", &format!("0..{last}")];
+    folder.run(&more).ends(0).says(&["were there already"]);
+}
+
+#[test]
 fn the_way_to_a_late_frame_can_be_stopped() {
     let folder = Folder::with_smoke();
     let child = start(&folder, &["render", "smoke.toml", "-o", "a.png", "--frame", "100000000"]);

@@ -3,6 +3,7 @@
 #![expect(clippy::unwrap_used, reason = "a test that cannot set up should stop")]
 
 mod bad_input;
+mod bake;
 mod documents;
 mod export;
 mod interrupt;

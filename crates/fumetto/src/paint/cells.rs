@@ -133,7 +133,6 @@ impl Grid {
     }
 
     /// How much paint each cell has: `Cell`s of `cells.wgsl`.
-    #[cfg(test)]
     pub(super) fn states(&self) -> &wgpu::Buffer {
         &self.states
     }

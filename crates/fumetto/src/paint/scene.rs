@@ -181,10 +181,10 @@ impl PaintScene {
             })
         };
         let storage = wgpu::BufferUsages::STORAGE;
-        let read_back = storage | wgpu::BufferUsages::COPY_SRC;
+        let kept = storage | wgpu::BufferUsages::COPY_SRC | wgpu::BufferUsages::COPY_DST;
         Self {
             coats,
-            bodies: list("paint.bodies", bytemuck::cast_slice(&bodies), read_back),
+            bodies: list("paint.bodies", bytemuck::cast_slice(&bodies), kept),
             body_count: bodies.len() as u32,
             vertices: room("paint.vertices", vertices.into(), VERTEX_BYTES),
             runs: room("paint.runs", bodies.len() as u64, RUN_BYTES),
@@ -208,6 +208,17 @@ impl PaintScene {
     /// Of each grid, whether there is any ground for it.
     pub(crate) fn have_floors(&self) -> impl Iterator<Item = bool> {
         self.grids.iter().map(|grid| grid.has_floor)
+    }
+
+    /// What pictures show of them.
+    pub(crate) fn shown(&self) -> impl Iterator<Item = &wgpu::Buffer> {
+        [&self.vertices, &self.bodies].into_iter().filter(|_| !self.is_empty())
+    }
+
+    /// What the next step needs beside that.
+    pub(crate) fn hidden(&self) -> impl Iterator<Item = &wgpu::Buffer> {
+        let runs = (!self.is_empty()).then_some(&self.runs);
+        runs.into_iter().chain(self.grids.iter().map(Grid::states))
     }
 
     /// Back to before anything fell.

@@ -6,12 +6,10 @@ use glam::{Vec3, Vec4};
 use super::{
     births::{Timetable, births_between},
     forces::forces_at,
+    state::Particle,
     vortex::{Span, Tree},
 };
 use crate::gpu::{Frame, Gpu, Slot, kernels, shader, workgroups};
-
-/// Bytes of a `Particle` of `state.wgsl`.
-const PARTICLE_BYTES: u64 = 64;
 
 /// The long-lived kernel.
 #[derive(Debug)]
@@ -113,7 +111,7 @@ impl Emission {
         let capacity = u32::try_from(emitter.capacity(step_secs)).unwrap_or(u32::MAX);
         let particles = gpu.device.create_buffer(&wgpu::BufferDescriptor {
             label: Some("particles.state"),
-            size: u64::from(capacity.max(1)) * PARTICLE_BYTES,
+            size: u64::from(capacity.max(1)) * size_of::<Particle>() as u64,
             usage: wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::COPY_SRC,
             mapped_at_creation: false,
         });

@@ -116,6 +116,12 @@ impl Plume {
         self.seed
     }
 
+    /// What the next step needs beside the particles.
+    pub(crate) fn hidden(&self) -> Vec<&wgpu::Buffer> {
+        let vortices = self.swirl.iter().map(|swirl| &swirl.vortices);
+        vortices.chain(self.air.iter().flat_map(Air::state)).collect()
+    }
+
     /// The air, if it is simulated.
     pub(crate) fn air(&self) -> Option<&Air> {
         self.air.as_ref()

@@ -3,6 +3,7 @@
 mod imported;
 mod looks;
 mod matter;
+mod motion;
 mod obstacles;
 mod paints;
 mod puffs;
@@ -62,6 +63,8 @@ pub struct Player {
     pub(crate) strokes: Option<StrokeTextures>,
     /// Steps of the simulation done so far.
     pub(crate) steps: u64,
+    /// Whether all is there that the next step needs, and not only what pictures show.
+    pub(crate) can_go_on: bool,
     /// The frame that is shown.
     pub(crate) shown: Option<u32>,
     notes: Vec<String>,
@@ -130,7 +133,7 @@ impl Player {
         notes.extend(notes_on_paint(&scene, &objects, &geometry, &paints));
         let looks = Look::all(gpu, &scene, &details, &*assets)?;
         let backdrop = load_backdrop(gpu, &scene, &*assets)?;
-        let (steps, shown) = (0, None);
+        let (steps, can_go_on, shown) = (0, true, None);
         Ok(Self {
             scene,
             assets,
@@ -146,6 +149,7 @@ impl Player {
             backdrop,
             strokes,
             steps,
+            can_go_on,
             shown,
             notes,
         })
@@ -170,9 +174,9 @@ impl Player {
     /// The frame that the simulation has come to; `None` where nothing is simulated, and every frame is as near.
     #[must_use]
     pub fn reached(&self) -> Option<u32> {
-        let simulates = !self.paints.is_empty() || self.plumes().next().is_some();
-        let frames = self.steps / u64::from(self.scene.time.substeps);
-        simulates.then(|| u32::try_from(frames).unwrap_or(u32::MAX))
+        let steps = if self.can_go_on { self.steps } else { 0 };
+        let frames = steps / u64::from(self.scene.time.substeps);
+        self.simulates().then(|| u32::try_from(frames).unwrap_or(u32::MAX))
     }
 
     /// Things to tell the user about the files that were read.

@@ -11,7 +11,7 @@ use crate::{
     shapes::mesh::triangles_at,
 };
 
-fn obstacles(objects: &[PlayedObject]) -> impl Iterator<Item = &PlayedModel> {
+pub(super) fn obstacles(objects: &[PlayedObject]) -> impl Iterator<Item = &PlayedModel> {
     objects.iter().filter_map(|object| match &object.matter {
         PlayedMatter::Model(played) if played.mesh.obstacle => Some(&**played),
         _ => None,

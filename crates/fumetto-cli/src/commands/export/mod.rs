@@ -26,6 +26,7 @@ pub(crate) fn run(args: &ExportArgs) -> anyhow::Result<ExitCode> {
     let interrupt = Interrupt::listen()?;
     disk::check(Path::new(&plan.file(plan.frames.first)))?;
     let mut stage = Stage::new(&args.scene.scene, opened.scene, opened.folder)?;
+    stage.use_cache(args.cache.as_deref())?;
 
     let start = Instant::now();
     let files = match what {

@@ -114,6 +114,13 @@ impl Air {
         }
     }
 
+    /// What the next step needs.
+    pub(crate) fn state(&self) -> impl Iterator<Item = &wgpu::Buffer> {
+        let fields = self.velocity.as_flattened().iter().chain(&self.heat);
+        let eddies = self.riders.iter().map(|riders| &riders.list);
+        fields.chain([&self.smoky, &self.levels.pressure, &self.solids.cells]).chain(eddies)
+    }
+
     /// What particles need to move in the air after so many sub-steps.
     pub(crate) fn after(&self, frame: &Frame<'_>, sub_steps: u64) -> (wgpu::Buffer, [&wgpu::Buffer; 4]) {
         let uniform = self.uniform(Span { time: 0.0, dt: 1.0 }, 1);

@@ -56,7 +56,7 @@ impl Riders {
         let list = gpu.device.create_buffer(&wgpu::BufferDescriptor {
             label: Some("particles.grid.eddies"),
             size: u64::from(all.max(1)) * EDDY_BYTES,
-            usage: wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST,
+            usage: wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::COPY_SRC,
             mapped_at_creation: false,
         });
         Self { list, groups }

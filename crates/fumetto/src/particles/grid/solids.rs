@@ -26,7 +26,7 @@ impl Solids {
         let cells = gpu.device.create_buffer(&wgpu::BufferDescriptor {
             label: Some("particles.grid.solids"),
             size: 8 * if are_there { cells } else { 1 },
-            usage: wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST,
+            usage: wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::COPY_SRC,
             mapped_at_creation: false,
         });
         Self { cells, are_there }

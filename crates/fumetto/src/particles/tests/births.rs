@@ -41,7 +41,7 @@ fn a_count_is_kept_by_new_births_in_the_place_of_the_dead() {
     let mut reborn = 0;
     for step in 17..60 {
         let now = slots_after(&engine, &mut player, step);
-        assert_eq!(now.iter().filter(|particle| particle.is_alive()).count(), 100, "after step {step}");
+        assert_eq!(now.iter().filter(|particle| !particle.is_dead()).count(), 100, "after step {step}");
         for (old, new) in before.iter().zip(&now) {
             if new.age > old.age {
                 assert_eq!((new.birth, new.position), (old.birth, old.position));

@@ -4,6 +4,7 @@ mod air;
 mod births;
 mod motion;
 mod repeat;
+mod snapshots;
 
 use std::{
     io,
@@ -13,6 +14,7 @@ use std::{
 use fumetto_scene::{Scene, SceneText};
 use glam::Vec3;
 
+pub(super) use super::state::Particle;
 use crate::{Assets, Engine, Gpu, Player, gpu::read_buffer};
 
 /// Building all pipelines takes longer than most tests do: they share one engine.
@@ -21,32 +23,6 @@ static ENGINE: LazyLock<Mutex<Engine>> =
 
 pub(super) fn engine() -> MutexGuard<'static, Engine> {
     ENGINE.lock().unwrap_or_else(PoisonError::into_inner)
-}
-
-/// `Particle` of `state.wgsl`.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
-pub(super) struct Particle {
-    pub(super) position: Vec3,
-    age: f32,
-    velocity: Vec3,
-    life: f32,
-    pub(super) carried: Vec3,
-    radius: f32,
-    mass: f32,
-    birth: u32,
-    pad: [u32; 2],
-}
-
-crate::gpu::layout_test!(
-    particles_are_read_back_as_they_are: Particle,
-    "Particle" of "particles/step" { position, age, velocity, life, carried, radius, mass, birth }
-);
-
-impl Particle {
-    pub(super) fn is_alive(&self) -> bool {
-        self.age < self.life
-    }
 }
 
 struct NoFiles;
@@ -95,7 +71,7 @@ pub(super) fn slots_after(engine: &Engine, player: &mut Player, steps: u32) -> V
 /// The living after `steps` steps.
 fn alive_after(engine: &Engine, player: &mut Player, steps: u32) -> Vec<Particle> {
     let mut particles = slots_after(engine, player, steps);
-    particles.retain(Particle::is_alive);
+    particles.retain(|particle| !particle.is_dead());
     particles
 }
 

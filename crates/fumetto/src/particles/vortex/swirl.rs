@@ -15,7 +15,7 @@ pub(crate) struct Swirl {
     pub(super) sources: Vec<Source>,
     /// Vortex particles that there is room for.
     pub(super) count: u32,
-    pub(super) vortices: wgpu::Buffer,
+    pub(crate) vortices: wgpu::Buffer,
     /// Where they are in the middle of a step.
     pub(super) halfway: wgpu::Buffer,
     pub(crate) tree: Tree,

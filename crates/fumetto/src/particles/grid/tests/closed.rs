@@ -16,7 +16,7 @@ fn closed_walls_let_nothing_through() {
     let engine = engine();
     let mut player = play_smoke(&engine, 1, 24.0, JET);
     let slots = slots_after(&engine, &mut player, 100);
-    let alive: Vec<&Particle> = slots.iter().filter(|particle| particle.is_alive()).collect();
+    let alive: Vec<&Particle> = slots.iter().filter(|particle| !particle.is_dead()).collect();
     assert_eq!(alive.len(), 200);
     assert!(alive.iter().all(|particle| particle.position.abs().max_element() <= 0.5 + 1e-6));
     assert!(alive.iter().any(|particle| particle.position.y < -0.4), "it reaches the floor");

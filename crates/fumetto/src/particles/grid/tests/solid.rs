@@ -52,7 +52,7 @@ fn nothing_enters_an_obstacle_in_a_thousand_steps() {
     let mut passed = 0;
     for step in (50..=1000).step_by(50) {
         let slots: Vec<Particle> = slots_after(&engine, &mut player, step);
-        for particle in slots.iter().filter(|particle| particle.is_alive()) {
+        for particle in slots.iter().filter(|particle| !particle.is_dead()) {
             // Half a cell is what a corner is rounded by.
             let deep = 0.2 - particle.position.abs().max_element();
             assert!(deep < 0.5 / 16.0, "{} is inside at step {step}", particle.position);
