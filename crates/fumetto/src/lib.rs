@@ -46,6 +46,7 @@ mod print;
 mod proof;
 mod setting;
 mod shapes;
+mod simulation;
 mod snapshot;
 mod tiles;
 mod tone;
