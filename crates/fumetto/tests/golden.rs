@@ -172,6 +172,21 @@ fn cloud_transparent_looks_as_it_did() {
 }
 
 #[test]
+fn smoke_cel_looks_as_it_did() {
+    check("smoke-cel", 96);
+}
+
+#[test]
+fn metamorphosis_looks_as_it_did() {
+    check("metamorphosis", 40);
+}
+
+#[test]
+fn sketch_looks_as_it_did() {
+    check("sketch", 0);
+}
+
+#[test]
 fn storm_looks_as_it_did() {
     check("storm", 0);
 }
