@@ -132,8 +132,11 @@ pub(crate) const ALL: &[Entry] = &[
     entry(Menu::Time, Command::LastFrame, "Last frame", with_command(Key::ArrowRight), false),
 ];
 
-/// The commands whose keys were pressed.
+/// The commands whose keys were pressed; none while a question waits for its answer.
 pub(crate) fn pressed(ctx: &egui::Context) -> Vec<Command> {
+    if ctx.memory(|memory| memory.top_modal_layer().is_some()) {
+        return Vec::new();
+    }
     let typing = ctx.text_edit_focused();
     let focused = ctx.memory(|memory| memory.focused().is_some());
     let mut found = Vec::new();
@@ -154,14 +157,64 @@ pub(crate) fn pressed(ctx: &egui::Context) -> Vec<Command> {
     found
 }
 
-/// Whether a shortcut means something to whatever has the focus: Space presses a button, arrows go along a list.
+/// Whether a shortcut means something to whatever has the focus: Space and Enter press a button, arrows go along a
+/// list, and Delete is meant for what is there.
 fn steers_focus(keys: &KeyboardShortcut) -> bool {
-    matches!(keys.logical_key, Key::Space | Key::ArrowLeft | Key::ArrowRight) && keys.modifiers.is_none()
+    let steers = [Key::Space, Key::Enter, Key::Delete, Key::ArrowLeft, Key::ArrowRight];
+    steers.contains(&keys.logical_key) && keys.modifiers.is_none()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// The commands of a key that is pressed while `show` is shown for the third time.
+    fn commands(key: Key, mut show: impl FnMut(&mut egui::Ui)) -> Vec<Command> {
+        let ctx = egui::Context::default();
+        let mut found = Vec::new();
+        for pass in 0..3 {
+            let mut input = egui::RawInput::default();
+            if pass == 2 {
+                let modifiers = Modifiers::NONE;
+                input.events.push(egui::Event::Key {
+                    key,
+                    physical_key: None,
+                    pressed: true,
+                    repeat: false,
+                    modifiers,
+                });
+            }
+            let mut shown = ctx.run_ui(input, |ui| {
+                found.extend(pressed(ui.ctx()));
+                show(ui);
+            });
+            shown.textures_delta.clear();
+        }
+        found
+    }
+
+    #[test]
+    fn keys_do_nothing_beneath_a_question() {
+        let question = |ui: &mut egui::Ui| {
+            egui::Modal::new(egui::Id::unique("question")).show(ui.ctx(), |ui| ui.label("Really?"));
+        };
+        for (key, command) in [(Key::Delete, Command::Delete), (Key::Space, Command::Play)] {
+            assert_eq!(commands(key, |_| {}), [command]);
+            assert_eq!(commands(key, question), []);
+        }
+    }
+
+    #[test]
+    fn a_button_with_the_focus_has_its_keys() {
+        let mut clicks = 0;
+        let found = commands(Key::Enter, |ui| {
+            let button = ui.button("Start");
+            button.request_focus();
+            clicks += u32::from(button.clicked());
+        });
+        assert_eq!((found, clicks), (vec![], 1));
+        assert_eq!(commands(Key::Enter, |_| {}), [Command::Rename]);
+    }
 
     #[test]
     fn no_two_commands_have_one_shortcut_or_name() {
