@@ -1,9 +1,13 @@
 //! Small pictures beside names, drawn as lines so that they are sharp at any size and as quiet as their text.
 
+mod pen;
+
 use std::f32::consts::TAU;
 
 use egui::emath::Rot2;
-use egui::{Color32, Painter, Pos2, Rect, Response, Role, Shape, Stroke, Ui, WidgetInfo, vec2};
+use egui::{Color32, Painter, Rect, Response, Role, Shape, Stroke, Ui, WidgetInfo, vec2};
+
+use self::pen::Pen;
 
 /// What a picture shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -70,6 +74,19 @@ impl Icon {
         let rect = Rect::from_center_size(rect.center(), vec2(side, side));
         let pen = Pen { painter, rect, stroke: Stroke::new(1.2, colour) };
         match self {
+            Self::Scene | Self::Camera | Self::Sun | Self::Point => self.view(&pen),
+            Self::Smoke | Self::Cloud | Self::Mesh | Self::Volume | Self::Paint => self.object(&pen),
+            Self::Emitter | Self::Force | Self::Stroke | Self::Copy | Self::Dot => self.part(&pen),
+            Self::First | Self::Previous | Self::Play | Self::Pause | Self::Next | Self::Last => {
+                self.time(&pen);
+            }
+            _ => self.sign(&pen),
+        }
+    }
+
+    /// The scene and what it is seen by.
+    fn view(self, pen: &Pen<'_>) {
+        match self {
             Self::Scene => {
                 pen.line(&[[0.1, 0.2], [0.9, 0.2], [0.9, 0.8], [0.1, 0.8], [0.1, 0.2]]);
                 pen.line(&[[0.1, 0.7], [0.38, 0.45], [0.55, 0.62], [0.7, 0.5], [0.9, 0.7]]);
@@ -86,6 +103,13 @@ impl Icon {
                 pen.disc([0.5, 0.5], 0.14);
                 pen.rays(4, 0.28, 0.46);
             }
+            _ => {}
+        }
+    }
+
+    /// What an object is.
+    fn object(self, pen: &Pen<'_>) {
+        match self {
             Self::Smoke => {
                 pen.arc([0.36, 0.7], 0.2, 0.1, 0.85);
                 pen.arc([0.62, 0.5], 0.2, -0.35, 0.5);
@@ -113,6 +137,13 @@ impl Icon {
                 }
             }
             Self::Paint => pen.drop(),
+            _ => {}
+        }
+    }
+
+    /// What an object has.
+    fn part(self, pen: &Pen<'_>) {
+        match self {
             Self::Emitter => {
                 pen.line(&[[0.28, 0.92], [0.36, 0.66], [0.64, 0.66], [0.72, 0.92]]);
                 for at in [[0.5, 0.44], [0.3, 0.24], [0.7, 0.24], [0.5, 0.1]] {
@@ -131,6 +162,13 @@ impl Icon {
                 pen.line(&[[0.62, 0.38], [0.88, 0.38], [0.88, 0.88], [0.38, 0.88], [0.38, 0.62]]);
             }
             Self::Dot => pen.circle([0.5, 0.5], 0.2),
+            _ => {}
+        }
+    }
+
+    /// What a click does.
+    fn sign(self, pen: &Pen<'_>) {
+        match self {
             Self::Eye => {
                 pen.lids();
                 pen.disc([0.5, 0.5], 0.15);
@@ -157,6 +195,13 @@ impl Icon {
             }
             Self::Up => pen.line(&[[0.2, 0.64], [0.5, 0.32], [0.8, 0.64]]),
             Self::Down => pen.line(&[[0.2, 0.36], [0.5, 0.68], [0.8, 0.36]]),
+            _ => {}
+        }
+    }
+
+    /// The clock's controls.
+    fn time(self, pen: &Pen<'_>) {
+        match self {
             Self::First => {
                 pen.bar(0.14);
                 pen.triangle(0.9, 0.28);
@@ -172,6 +217,7 @@ impl Icon {
                 pen.triangle(0.1, 0.72);
                 pen.bar(0.72);
             }
+            _ => {}
         }
     }
 
@@ -191,77 +237,5 @@ impl Icon {
         let points = [vec2(-0.5 * r, -r), vec2(0.7 * r, 0.0), vec2(-0.5 * r, r)];
         let points = points.map(|offset| rect.center() + turn * offset).to_vec();
         painter.add(Shape::convex_polygon(points, colour, Stroke::NONE));
-    }
-}
-
-/// Draws in a square with sides of 1.
-struct Pen<'a> {
-    painter: &'a Painter,
-    rect: Rect,
-    stroke: Stroke,
-}
-
-impl Pen<'_> {
-    fn at(&self, [x, y]: [f32; 2]) -> Pos2 {
-        self.rect.min + self.rect.size() * vec2(x, y)
-    }
-
-    fn line(&self, points: &[[f32; 2]]) {
-        let points = points.iter().map(|point| self.at(*point)).collect();
-        self.painter.add(Shape::line(points, self.stroke));
-    }
-
-    fn circle(&self, centre: [f32; 2], radius: f32) {
-        self.painter.circle_stroke(self.at(centre), radius * self.rect.width(), self.stroke);
-    }
-
-    fn disc(&self, centre: [f32; 2], radius: f32) {
-        self.painter.circle_filled(self.at(centre), radius * self.rect.width(), self.stroke.color);
-    }
-
-    /// A part of a circle, between shares of a turn.
-    fn arc(&self, [x, y]: [f32; 2], radius: f32, from: f32, to: f32) {
-        let points: Vec<_> = (0..=12)
-            .map(|i| TAU * (from + (to - from) * i as f32 / 12.0))
-            .map(|angle| [x + radius * angle.cos(), y + radius * angle.sin()])
-            .collect();
-        self.line(&points);
-    }
-
-    /// An upright one; `x` is its left side.
-    fn bar(&self, x: f32) {
-        let bar = Rect::from_two_pos(self.at([x, 0.14]), self.at([x + 0.16, 0.86]));
-        self.painter.rect_filled(bar, 0.0, self.stroke.color);
-    }
-
-    /// Pointing from one place to another, each from left (0) to right (1).
-    fn triangle(&self, base: f32, tip: f32) {
-        let points = [[base, 0.14], [tip, 0.5], [base, 0.86]].map(|point| self.at(point)).to_vec();
-        self.painter.add(Shape::convex_polygon(points, self.stroke.color, Stroke::NONE));
-    }
-
-    fn rays(&self, count: u32, from: f32, to: f32) {
-        for i in 0..count {
-            let (y, x) = (TAU * i as f32 / count as f32).sin_cos();
-            self.line(&[[0.5 + from * x, 0.5 + from * y], [0.5 + to * x, 0.5 + to * y]]);
-        }
-    }
-
-    fn cloud(&self) {
-        self.arc([0.27, 0.6], 0.2, 0.25, 0.72);
-        self.arc([0.5, 0.42], 0.25, 0.55, 0.93);
-        self.arc([0.75, 0.6], 0.19, 0.69, 1.25);
-        self.line(&[[0.27, 0.8], [0.75, 0.79]]);
-    }
-
-    fn drop(&self) {
-        self.arc([0.5, 0.64], 0.28, -0.07, 0.57);
-        self.line(&[[0.76, 0.52], [0.5, 0.06], [0.24, 0.52]]);
-    }
-
-    fn lids(&self) {
-        let upper = [[0.04, 0.5], [0.25, 0.32], [0.5, 0.25], [0.75, 0.32], [0.96, 0.5]];
-        self.line(&upper);
-        self.line(&upper.map(|[x, y]| [x, 1.0 - y]));
     }
 }
