@@ -5,6 +5,7 @@ use fumetto_scene::edit::Value;
 use fumetto_scene::limits::Limit;
 
 use super::number::{self, Look, number_of};
+use super::points::Points;
 use super::row;
 use super::sheet::{Sheet, Slot};
 use crate::icons::Icon;
@@ -34,7 +35,7 @@ pub(super) fn ui(ui: &mut Ui, sheet: &mut Sheet<'_>, slot: &Slot<'_>, axes: &Axe
         WidgetInfo::labeled(Role::Group, true, format!("Curve of {}", slot.name.to_lowercase()))
     });
     let scale = Scale::of(ui, &plot, rect, &points, axes);
-    if let Some(changed) = hand(&plot, &scale, &points, axes, &mut chosen) {
+    if let Some(changed) = hand(ui, &plot, &scale, &points, axes, &mut chosen) {
         match plot.dragged() {
             true => sheet.slide(slot.path, changed.write()),
             false => sheet.set(slot.path, changed.write()),
@@ -47,12 +48,21 @@ pub(super) fn ui(ui: &mut Ui, sheet: &mut Sheet<'_>, slot: &Slot<'_>, axes: &Axe
 }
 
 /// What the pointer does to the curve.
-fn hand(plot: &Response, scale: &Scale, points: &Points, axes: &Axes, chosen: &mut usize) -> Option<Points> {
+fn hand(
+    ui: &Ui,
+    plot: &Response,
+    scale: &Scale,
+    points: &Points,
+    axes: &Axes,
+    chosen: &mut usize,
+) -> Option<Points> {
+    let held = plot.id.with("point");
     let pointer = plot.interact_pointer_pos()?;
-    let near = points.nearest(|point| scale.place(point).distance(pointer)).filter(|(_, far)| *far < REACH);
+    let near = |place: Pos2| points.nearest(|point| scale.place(point).distance(place));
+    let found_at = |place: Pos2| near(place).filter(|(_, far)| *far < REACH).map(|(i, _)| i);
     if plot.double_clicked() {
-        return match near {
-            Some((i, _)) => points.without(i),
+        return match found_at(pointer) {
+            Some(i) => points.without(i),
             None => {
                 let (changed, i) = points.with(scale.value(pointer), axes);
                 *chosen = i;
@@ -60,13 +70,18 @@ fn hand(plot: &Response, scale: &Scale, points: &Points, axes: &Axes, chosen: &m
             }
         };
     }
-    if plot.drag_started() || plot.clicked() {
-        *chosen = near.map_or(points.0.len(), |(i, _)| i);
+    if plot.clicked() {
+        *chosen = found_at(pointer).unwrap_or(*chosen);
     }
-    let is_held = plot.dragged() && *chosen < points.0.len();
-    let changed = is_held.then(|| points.moved(*chosen, scale.value(pointer), axes));
-    *chosen = if plot.dragged() { *chosen } else { (*chosen).min(points.0.len() - 1) };
-    changed.filter(|changed| changed != points)
+    if plot.drag_started() {
+        // The pointer has gone some way before that is known.
+        let from = ui.input(|input| input.pointer.press_origin()).unwrap_or(pointer);
+        ui.data_mut(|data| data.insert_temp(held, found_at(from)));
+    }
+    let i = ui.data(|data| data.get_temp::<Option<usize>>(held)).flatten();
+    let i = i.filter(|i| plot.dragged() && *i < points.0.len())?;
+    *chosen = i;
+    Some(points.moved(i, scale.value(pointer), axes)).filter(|changed| changed != points)
 }
 
 /// Between points of the window and of the curve.
@@ -192,66 +207,6 @@ fn point_ui(
     });
 }
 
-/// The points of a curve, never none.
-#[derive(Clone, Debug, PartialEq)]
-struct Points(Vec<[f64; 2]>);
-
-impl Points {
-    fn read(value: &Value) -> Option<Self> {
-        let point = |point: &Value| Some([number_of(point.get(0)?)?, number_of(point.get(1)?)?]);
-        let points: Option<Vec<_>> = value.as_array()?.iter().map(point).collect();
-        points.filter(|points| !points.is_empty()).map(Self)
-    }
-
-    fn write(&self) -> Value {
-        let number = |number: &f64| Value::Float(f64::from(*number as f32));
-        let point = |point: &[f64; 2]| Value::Array(point.iter().map(number).collect());
-        Value::Array(self.0.iter().map(point).collect())
-    }
-
-    fn nearest(&self, far: impl Fn([f64; 2]) -> f32) -> Option<(usize, f32)> {
-        let all = self.0.iter().enumerate().map(|(i, point)| (i, far(*point)));
-        all.min_by(|a, b| a.1.total_cmp(&b.1))
-    }
-
-    /// With point `i` elsewhere, but still between its neighbours.
-    fn moved(&self, i: usize, [x, y]: [f64; 2], axes: &Axes) -> Self {
-        let mut points = self.0.clone();
-        let gap = 1e-3;
-        let from = if i == 0 { axes.x.min() } else { points[i - 1][0] + gap };
-        let to = points.get(i + 1).map_or(axes.x.max(), |next| next[0] - gap);
-        points[i] = [x.min(to).max(from), axes.y.clamped(y)];
-        Self(points)
-    }
-
-    /// With another point; which it is.
-    fn with(&self, point: [f64; 2], axes: &Axes) -> (Self, usize) {
-        let i = self.0.partition_point(|other| other[0] < point[0]);
-        let mut points = self.0.clone();
-        points.insert(i, point);
-        (Self(points).moved(i, point, axes), i)
-    }
-
-    /// With another point half way to the next, or behind the last.
-    fn split(&self, i: usize, axes: &Axes) -> (Self, usize) {
-        let [x, y] = self.0[i];
-        let middle = match (self.0.get(i + 1), i.checked_sub(1)) {
-            (Some(next), _) => [0.5 * (x + next[0]), 0.5 * (y + next[1])],
-            (None, _) if axes.x.max() > 1.0 => [x + 1.0, y],
-            (None, Some(last)) => [0.5 * (x + self.0[last][0]), 0.5 * (y + self.0[last][1])],
-            (None, None) => [if x < 0.5 { 1.0 } else { 0.0 }, y],
-        };
-        self.with(middle, axes)
-    }
-
-    /// Without point `i`, unless it is the only one.
-    fn without(&self, i: usize) -> Option<Self> {
-        let mut points = self.0.clone();
-        points.remove(i);
-        (!points.is_empty()).then_some(Self(points))
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -259,25 +214,42 @@ mod tests {
 
     const AXES: Axes = Axes { x: limits::SHARE, x_unit: "", y: limits::FACTOR, y_unit: "" };
 
-    #[test]
-    fn points_keep_their_order() {
-        let points = Points(vec![[0.0, 1.0], [0.5, 2.0], [1.0, 0.0]]);
-        let moved = points.moved(1, [3.0, -4.0], &AXES);
-        assert!(moved.0[1][0] < 1.0 && moved.0[1][0] > 0.99);
-        assert_eq!(moved.0[1][1], 0.0, "no factor is negative");
-        let (more, i) = points.with([0.75, 1.0], &AXES);
-        assert_eq!((i, more.0.len()), (2, 4));
-        let (more, i) = points.split(2, &AXES);
-        assert_eq!((i, more.0[2]), (2, [0.75, 1.0]));
-        assert_eq!(Points(vec![[0.0, 1.0]]).without(0), None);
+    /// What becomes of the points when the pointer goes from one place of the curve to another.
+    fn dragged(points: &Points, from: [f64; 2], to: [f64; 2]) -> Points {
+        let ctx = egui::Context::default();
+        let rect = Rect::from_min_size(Pos2::ZERO, vec2(200.0, 100.0));
+        let scale = Scale { rect, x: [0.0, 1.0], y: [0.0, 2.0] };
+        let (from, to) = (scale.place(from), scale.place(to));
+        let press = egui::Event::PointerButton {
+            pos: from,
+            button: egui::PointerButton::Primary,
+            pressed: true,
+            modifiers: egui::Modifiers::NONE,
+        };
+        let middle = from.lerp(to, 0.5);
+        let events = [egui::Event::PointerMoved(from), press]
+            .into_iter()
+            .chain([middle, to].map(egui::Event::PointerMoved));
+        let (mut changed, mut chosen) = (points.clone(), 0);
+        for event in events {
+            let input = egui::RawInput { events: vec![event], ..egui::RawInput::default() };
+            let mut shown = ctx.run_ui(input, |ui| {
+                let plot = ui.interact(rect, egui::Id::unique("plot"), Sense::click_and_drag());
+                if let Some(moved) = hand(ui, &plot, &scale, &changed, &AXES, &mut chosen) {
+                    changed = moved;
+                }
+            });
+            shown.textures_delta.clear();
+        }
+        changed
     }
 
     #[test]
-    fn a_curve_is_read_as_it_is_written() {
-        let point = |x: Value, y: Value| Value::Array(vec![x, y]);
-        let value = Value::Array(vec![point(0.into(), 0.1.into()), point(1.0.into(), 2.into())]);
-        let points = Points::read(&value).expect("points");
-        assert_eq!(points.0, [[0.0, 0.1], [1.0, 2.0]]);
-        assert_eq!(Points::read(&points.write()), Some(Points(vec![[0.0, f64::from(0.1_f32)], [1.0, 2.0]])));
+    fn only_a_point_that_is_held_is_dragged() {
+        let points = Points(vec![[0.0, 1.0], [0.5, 1.0], [1.0, 0.0]]);
+        assert_eq!(dragged(&points, [0.3, 1.8], [0.4, 0.2]), points, "nothing is there");
+        let moved = dragged(&points, [0.5, 1.0], [0.7, 0.4]);
+        assert!((moved.0[1][0] - 0.7).abs() < 0.01 && (moved.0[1][1] - 0.4).abs() < 0.02, "{moved:?}");
+        assert_eq!((moved.0[0], moved.0[2]), (points.0[0], points.0[2]));
     }
 }

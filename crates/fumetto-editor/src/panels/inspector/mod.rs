@@ -7,6 +7,7 @@ mod field;
 mod header;
 mod list;
 mod number;
+mod points;
 mod ramp;
 mod row;
 mod sections;
