@@ -65,8 +65,11 @@ impl Palette {
                 if let Some(keys) = &entry.shortcut {
                     button = button.shortcut_text(ui.ctx().format_shortcut(keys));
                 }
-                let clicked = ui.add_sized([ui.available_width(), 22.0], button).clicked();
-                if clicked || (enter && i == self.chosen) {
+                let shown = ui.add_sized([ui.available_width(), 22.0], button);
+                if i == self.chosen && (down || up) {
+                    shown.scroll_to_me(None);
+                }
+                if shown.clicked() || (enter && i == self.chosen) {
                     done = Some(*entry);
                 }
             }

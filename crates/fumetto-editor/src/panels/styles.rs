@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use egui::{Color32, Rect, Role, Sense, StrokeKind, TextureId, Ui, WidgetInfo};
-use fumetto_scene::edit::{Edit, Path, Table, Value};
+use fumetto_scene::edit::{Document, Edit, Path, Table, Value};
 use fumetto_scene::presets;
 
 use crate::project::Project;
@@ -40,8 +40,7 @@ impl Styles {
             }
         });
         let style = Path::root().key("style");
-        let present = project.document().get(&style.key("preset"));
-        let present = present.as_ref().and_then(Value::as_str).unwrap_or(presets::names()[0]);
+        let present = present(project.document());
         let aspect = project
             .scene()
             .map_or(16.0 / 9.0, |scene| scene.output.size[0] as f32 / scene.output.size[1] as f32);
@@ -51,7 +50,7 @@ impl Styles {
                 ui.weak(group.title);
                 ui.horizontal_wrapped(|ui| {
                     for preset in group.presets {
-                        if self.preset_ui(ui, preset, aspect, preset.name == present) {
+                        if self.preset_ui(ui, preset, aspect, Some(preset.name) == present.as_deref()) {
                             let mut table = Table::new();
                             table.insert("preset".into(), preset.name.into());
                             requests.edit(Edit::Set { path: style.clone(), value: Value::Table(table) });
@@ -84,5 +83,28 @@ impl Styles {
         let font = egui::FontId::proportional(11.0);
         ui.painter().text(at, egui::Align2::CENTER_CENTER, preset.name, font, ui.visuals().text_color());
         tile.on_hover_text(preset.about()).clicked()
+    }
+}
+
+/// The preset that the scene's style starts from; none where that is a file.
+fn present(document: &Document) -> Option<String> {
+    let style = Path::root().key("style");
+    match document.get(&style.key("preset")) {
+        Some(Value::String(name)) => Some(name),
+        _ if document.get(&style.key("file")).is_some() => None,
+        _ => Some(presets::names()[0].to_owned()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_style_out_of_a_file_is_no_preset() {
+        let present = |style: &str| present(&Document::open(style).expect("it is short"));
+        assert_eq!(present("").as_deref(), Some(presets::names()[0]));
+        assert_eq!(present("style = { preset = \"comic\" }").as_deref(), Some("comic"));
+        assert_eq!(present("style = { file = \"my.style.toml\" }"), None);
     }
 }
