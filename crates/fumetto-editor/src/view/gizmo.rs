@@ -63,8 +63,12 @@ impl Gizmo {
                 self.active = Some(path.clone());
             }
         }
-        if let (Some(grip), Some(way)) = (&self.grip, picture.dragged().then(|| picture.drag_delta())) {
-            drag(grip, camera, rect, handles, way, requests);
+        if let (Some(grip), true, Some(to)) = (&self.grip, picture.dragged(), picture.interact_pointer_pos())
+        {
+            let step = Step { from: to - picture.drag_delta(), to };
+            if let Some((path, value)) = dragged(grip, &projection, camera, handles, step) {
+                requests.drag(path.to_string(), Edit::Set { path: path.clone(), value });
+            }
         }
         if let (true, Some(pointer)) = (picture.clicked(), picture.interact_pointer_pos()) {
             let found = found_at(&projection, camera, handles, pointer);
@@ -73,7 +77,8 @@ impl Gizmo {
                 requests.push(Request::Select(list.index(index)));
             }
         }
-        if picture.drag_stopped() && self.grip.take().is_some() {
+        // Whatever became of the drag: what no finger holds is not held.
+        if !ui.input(|input| input.pointer.primary_down()) && self.grip.take().is_some() {
             requests.push(Request::EndGesture);
         }
     }
@@ -163,45 +168,48 @@ fn distance_to(projection: &Projection, handle: &Handle, pointer: Pos2) -> f32 {
     projection.point(handle.at).map_or(f32::INFINITY, |at| at.distance(pointer))
 }
 
-fn drag(
-    grip: &Grip,
+/// How far the pointer has gone since it was heard last.
+#[derive(Clone, Copy)]
+struct Step {
+    from: Pos2,
+    to: Pos2,
+}
+
+/// What a drag makes of what is held.
+fn dragged<'a>(
+    grip: &'a Grip,
+    projection: &Projection,
     camera: &Camera,
-    rect: Rect,
     handles: &[Handle],
-    way: egui::Vec2,
-    requests: &mut Requests,
-) {
+    step: Step,
+) -> Option<(&'a Path, Value)> {
+    let way = step.to - step.from;
     if way == egui::Vec2::ZERO {
-        return;
+        return None;
     }
-    let [right, up, _] = axes(camera);
+    let metres = |handle: &Handle| metres_a_point(camera, handle.at, projection.rect());
     let held = |path: &Path| handles.iter().find(|handle| handle.path == *path);
-    let edit = match grip {
-        Grip::Free(path) => held(path).map(|handle| {
-            let metres = metres_a_point(camera, handle.at, rect);
-            let at = handle.at + metres * in_plane(camera, way);
-            (path, written(at))
-        }),
-        Grip::Along(path, axis) => held(path).map(|handle| {
-            let metres = metres_a_point(camera, handle.at, rect);
+    match grip {
+        Grip::Free(path) => {
+            let handle = held(path)?;
+            Some((path, written(handle.at + metres(handle) * in_plane(camera, way))))
+        }
+        Grip::Along(path, axis) => {
+            let handle = held(path)?;
+            let [right, up, _] = axes(camera);
             let on_screen = egui::vec2(axis.dot(right), -axis.dot(up));
             // Along an axis that points at the eye a pointer could move something endlessly far.
-            let moved = metres * way.dot(on_screen) / on_screen.length_sq().max(0.05);
-            (path, written(handle.at + moved * *axis))
-        }),
-        Grip::Radius(path) => {
-            let handle = handles
-                .iter()
-                .find(|handle| handle.radius.as_ref().is_some_and(|(radius, _)| radius == path));
-            handle.and_then(|handle| {
-                let (_, metres) = handle.radius.as_ref()?;
-                let grown = metres + metres_a_point(camera, handle.at, rect) * (way.x - way.y);
-                Some((path, Value::Float(rounded(grown.max(LEAST_RADIUS)))))
-            })
+            let moved = metres(handle) * way.dot(on_screen) / on_screen.length_sq().max(0.05);
+            Some((path, written(handle.at + moved * *axis)))
         }
-    };
-    if let Some((path, value)) = edit {
-        requests.drag(path.to_string(), Edit::Set { path: path.clone(), value });
+        Grip::Radius(path) => {
+            let reaches = |handle: &&Handle| handle.radius.as_ref().is_some_and(|(radius, _)| radius == path);
+            let handle = handles.iter().find(reaches)?;
+            let (_, radius) = handle.radius.as_ref()?;
+            let middle = projection.point(handle.at)?;
+            let grown = radius + metres(handle) * (middle.distance(step.to) - middle.distance(step.from));
+            Some((path, Value::Float(rounded(grown.max(LEAST_RADIUS)))))
+        }
     }
 }
 
@@ -219,5 +227,38 @@ fn draw_arrows(painter: &Painter, projection: &Projection, camera: &Camera, at: 
     for (_, colour, tip) in tips(projection, camera, at) {
         painter.line_segment([middle, tip], Stroke::new(2.0, colour));
         painter.circle_filled(tip, 5.0, colour);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_ring_grows_away_from_its_middle_wherever_it_is_held() {
+        let camera = Camera {
+            name: "view".into(),
+            eye: [0.0, 0.0, 4.0],
+            target: [0.0, 0.0, 0.0],
+            up: [0.0, 1.0, 0.0],
+            fov_deg: 40.0,
+            near: None,
+        };
+        let rect = Rect::from_min_size(Pos2::ZERO, egui::vec2(200.0, 100.0));
+        let projection = Projection::new(&camera, rect);
+        let radius: Path = "light[0].radius".parse().expect("a path");
+        let place = "light[0].position".parse().expect("a path");
+        let handles = [Handle { path: place, at: Vec3::ZERO, radius: Some((radius.clone(), 1.0)) }];
+        let grip = Grip::Radius(radius);
+        let metres = metres_a_point(&camera, Vec3::ZERO, rect);
+        for side in [egui::Vec2::X, -egui::Vec2::X, egui::Vec2::Y, -egui::Vec2::Y] {
+            let grown = |from: f32, to: f32| {
+                let step = Step { from: rect.center() + from * side, to: rect.center() + to * side };
+                let (_, value) = dragged(&grip, &projection, &camera, &handles, step).expect("a radius");
+                value.as_float().expect("a number")
+            };
+            assert!((grown(30.0, 40.0) - f64::from(1.0 + 10.0 * metres)).abs() < 1e-3, "{side:?}");
+            assert!(grown(30.0, 20.0) < 1.0, "{side:?}");
+        }
     }
 }

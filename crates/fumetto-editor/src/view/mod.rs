@@ -10,7 +10,7 @@ mod viewport;
 
 pub(crate) use brush::Brush;
 pub(crate) use gizmo::Gizmo;
-pub(crate) use handles::{ball, handles, handles_of_selected};
+pub(crate) use handles::{Handle, ball, handles, handles_of_selected};
 pub(crate) use navigation::Navigation;
 pub(crate) use orbit::{Orbit, Side};
 pub(crate) use viewport::{Hand, Viewport};

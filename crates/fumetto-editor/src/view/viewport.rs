@@ -2,7 +2,7 @@ use egui::{Color32, CornerRadius, Rect, Response, Sense, StrokeKind, Ui, Vec2};
 use fumetto_scene::edit::{Document, Path};
 use fumetto_scene::{Camera, Output};
 
-use super::{Brush, Gizmo, Navigation, Orbit, Side, handles_of_selected, overlay};
+use super::{Brush, Gizmo, Handle, Navigation, Orbit, Side, handles_of_selected, overlay};
 use crate::request::Requests;
 use crate::stage::{Stage, Wish};
 
@@ -68,7 +68,7 @@ impl Viewport {
         stage: &mut Stage,
         (frame, playing): (u32, bool),
         navigation: Navigation,
-        Hand { document, selected, requests }: Hand<'_>,
+        hand: Hand<'_>,
     ) -> Response {
         let (room, _) = ui.allocate_exact_size(ui.available_size(), Sense::hover());
         let Some(mut camera) = self.camera(stage) else {
@@ -85,17 +85,8 @@ impl Viewport {
         let rect = fitted(room, output);
         let picture = ui.interact(rect, ui.scope_id().with("picture"), Sense::click_and_drag());
         picture.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, "Picture"));
-        self.rest_secs += ui.input(|input| input.stable_dt).min(0.1);
-        let lays = self.brush.steer(ui, &picture, &camera, (document, selected), requests);
-        let handles = handles_of_selected(document, selected);
-        if !lays {
-            self.gizmo.steer(ui, &picture, &camera, &handles, requests);
-        }
-        let is_held = lays || self.gizmo.is_held();
-        if !is_held && navigation.steer(ui, &picture, &mut camera) {
-            self.camera = Some(camera.clone());
-            self.rest_secs = 0.0;
-        }
+        let handles = handles_of_selected(hand.document, hand.selected);
+        let is_held = self.steer(ui, &picture, &mut camera, navigation, (&handles, hand));
         let in_motion = playing || is_held || self.rest_secs < REST_SECS;
         if in_motion {
             ui.request_repaint();
@@ -107,21 +98,41 @@ impl Viewport {
             let all = Rect::from_min_max(egui::pos2(0.0, 0.0), egui::pos2(1.0, 1.0));
             ui.painter().image(texture, rect, all, Color32::WHITE);
         }
-        ui.painter().rect_stroke(
-            rect,
-            CornerRadius::ZERO,
-            ui.visuals().widgets.noninteractive.bg_stroke,
-            StrokeKind::Outside,
-        );
-        let painter = ui.painter().with_clip_rect(rect);
+        let edge = ui.visuals().widgets.noninteractive.bg_stroke;
+        ui.painter().rect_stroke(rect, CornerRadius::ZERO, edge, StrokeKind::Outside);
         if self.grid {
-            overlay::grid(&painter, &camera, rect);
+            overlay::grid(&ui.painter().with_clip_rect(rect), &camera, rect);
         }
         self.gizmo.draw(ui, rect, &camera, &handles);
         if self.times {
             self.times_ui(ui, stage, rect);
         }
         picture
+    }
+
+    /// Does what the pointer does, with one thing at a time: the brush, a handle or the camera. Whether something of
+    /// the scene is held.
+    fn steer(
+        &mut self,
+        ui: &Ui,
+        picture: &Response,
+        camera: &mut Camera,
+        navigation: Navigation,
+        (handles, hand): (&[Handle], Hand<'_>),
+    ) -> bool {
+        let Hand { document, selected, requests } = hand;
+        self.rest_secs += ui.input(|input| input.stable_dt).min(0.1);
+        let lays =
+            !self.gizmo.is_held() && self.brush.steer(ui, picture, camera, (document, selected), requests);
+        if !lays {
+            self.gizmo.steer(ui, picture, camera, handles, requests);
+        }
+        let is_held = lays || self.gizmo.is_held();
+        if !is_held && navigation.steer(ui, picture, camera) {
+            self.camera = Some(camera.clone());
+            self.rest_secs = 0.0;
+        }
+        is_held
     }
 
     fn times_ui(&self, ui: &Ui, stage: &Stage, rect: Rect) {
