@@ -34,6 +34,14 @@ pub(crate) fn element(selected: &Path) -> Option<(Path, usize)> {
     }
 }
 
+/// The element of a list that is selected itself, and not only something in it.
+pub(crate) fn whole(selected: &Path) -> Option<(Path, usize)> {
+    match selected.split_last()? {
+        (list, Step::Index(index)) => Some((list, *index)),
+        (_, Step::Key(_)) => None,
+    }
+}
+
 /// The object that is selected, or that what is selected lies in.
 pub(crate) fn object(selected: &Path) -> Option<Path> {
     match selected.steps() {
@@ -55,13 +63,13 @@ pub(crate) fn holder(path: &Path) -> Path {
 
 /// A copy behind the selected element, and what is selected then.
 pub(crate) fn duplicate(selected: &Path) -> Option<(Edit, Path)> {
-    let (list, index) = element(selected)?;
+    let (list, index) = whole(selected)?;
     Some((Edit::Duplicate { path: list.index(index) }, list.index(index + 1)))
 }
 
 /// The scene without the selected element, and what is selected then: its neighbour, or what it lay in.
 pub(crate) fn delete(document: &Document, selected: &Path) -> Option<(Edit, Path)> {
-    let (list, index) = element(selected)?;
+    let (list, index) = whole(selected)?;
     let left = document.count(&list).saturating_sub(1);
     let parent = || list.split_last().map(|(parent, _)| parent).unwrap_or_default();
     let next = if left == 0 { parent() } else { list.index(index.min(left - 1)) };
@@ -70,7 +78,7 @@ pub(crate) fn delete(document: &Document, selected: &Path) -> Option<(Edit, Path
 
 /// The selected element one place up or down, and what is selected then.
 pub(crate) fn shift(document: &Document, selected: &Path, down: bool) -> Option<(Edit, Path)> {
-    let (list, index) = element(selected)?;
+    let (list, index) = whole(selected)?;
     let to = if down { index + 1 } else { index.checked_sub(1)? };
     (to < document.count(&list)).then(|| (Edit::Move { path: list.index(index), to }, list.index(to)))
 }
@@ -109,9 +117,13 @@ mod tests {
         let next = |selected: &str| delete(&document(), &path(selected)).map(|(_, next)| next.to_string());
         assert_eq!(next("object[0]").as_deref(), Some("object[0]"));
         assert_eq!(next("object[1]").as_deref(), Some("object[0]"));
-        assert_eq!(next("object[0].force[1].rate").as_deref(), Some("object[0].force[0]"));
+        assert_eq!(next("object[0].force[1]").as_deref(), Some("object[0].force[0]"));
         assert_eq!(next("camera[0]").as_deref(), Some(""));
-        assert_eq!(next("style"), None);
+        for part in ["style", "object[0].style", "object[0].force", "object[0].force[1].rate"] {
+            assert_eq!(next(part), None, "{part} is no element");
+            assert_eq!(duplicate(&path(part)), None);
+            assert_eq!(shift(&document(), &path(part), true), None);
+        }
     }
 
     #[test]

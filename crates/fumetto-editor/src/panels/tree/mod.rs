@@ -44,7 +44,8 @@ impl Tree {
         ui.horizontal(|ui| add::menu_ui(ui, document, selected, requests));
         ui.add_space(2.0);
         let current = self.current(selected);
-        if !ui.ctx().egui_wants_keyboard_input() {
+        let is_covered = ui.memory(|memory| memory.top_modal_layer().is_some());
+        if !is_covered && !ui.ctx().egui_wants_keyboard_input() {
             self.keys_ui(ui, current, requests);
         }
         ui.spacing_mut().item_spacing.y = 0.0;
@@ -102,6 +103,10 @@ impl Tree {
                 ui.request_repaint();
             }
             Deed::Rename => self.rename(&path),
+            Deed::ShowText => {
+                // The scene itself begins where its text does.
+                requests.push(Request::ShowText(document.span(&path).unwrap_or(0..0)));
+            }
             Deed::Renamed => self.renaming = None,
             Deed::Shift { down } => {
                 if let Some((edit, next)) = selection::shift(document, &path, down) {

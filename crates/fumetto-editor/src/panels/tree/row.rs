@@ -21,6 +21,7 @@ const ICON_WIDTH: f32 = 20.0;
 pub(super) enum Deed {
     Fold,
     Rename,
+    ShowText,
     /// The name is given, or was not wanted after all.
     Renamed,
     Shift {
@@ -159,9 +160,9 @@ fn visible_ui(
 
 /// Rows are dragged to another place in their list.
 fn order_ui(ui: &Ui, row: &Row, line: &Response, requests: &mut Requests) {
-    let Some((list, index)) = selection::element(&row.path) else { return };
+    let Some((list, index)) = selection::whole(&row.path) else { return };
     line.dnd_set_drag_payload(row.path.clone());
-    let is_of_list = |dragged: &Path| selection::element(dragged).is_some_and(|(other, _)| other == list);
+    let is_of_list = |dragged: &Path| selection::whole(dragged).is_some_and(|(other, _)| other == list);
     let Some(dragged) = line.dnd_hover_payload::<Path>().filter(|dragged| is_of_list(dragged)) else {
         return;
     };
@@ -170,7 +171,7 @@ fn order_ui(ui: &Ui, row: &Row, line: &Response, requests: &mut Requests) {
     let y = if below { line.rect.bottom() } else { line.rect.top() };
     ui.painter().hline(line.rect.x_range(), y, Stroke::new(2.0, ui.visuals().selection.stroke.color));
     if line.dnd_release_payload::<Path>().is_some()
-        && let Some((_, from)) = selection::element(&dragged)
+        && let Some((_, from)) = selection::whole(&dragged)
     {
         let slot = index + usize::from(below);
         let to = if from < slot { slot - 1 } else { slot };
@@ -188,8 +189,10 @@ fn menu_ui(
     add_ui: impl FnOnce(&mut Ui, &mut Requests),
 ) -> Option<Deed> {
     ui.menu_button("Add", |ui| add_ui(ui, requests));
-    selection::element(&row.path)?;
-    let mut deed = None;
+    let mut deed = ui.button("Show in the text").clicked().then_some(Deed::ShowText);
+    if selection::whole(&row.path).is_none() {
+        return deed;
+    }
     ui.separator();
     if row.has_name && ui.button("Rename").clicked() {
         deed = Some(Deed::Rename);
