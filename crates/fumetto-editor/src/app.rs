@@ -3,6 +3,8 @@
 mod desk;
 mod leaving;
 mod obey;
+mod orders;
+mod recovery;
 
 use egui::{CentralPanel, Panel, Ui};
 use fumetto_scene::edit::Path;
@@ -63,21 +65,17 @@ pub struct App {
 impl App {
     /// Begins with the first example. What is not saved is kept in the folder `unsaved`, and what was left there is
     /// offered again.
-    ///
-    /// # Errors
-    /// None today: the examples can be read.
-    pub fn new(
-        creation: &eframe::CreationContext<'_>,
-        unsaved: &std::path::Path,
-    ) -> Result<Self, Box<dyn std::error::Error + Send + Sync>> {
-        let first = &EXAMPLES[0];
-        let project = Project::new(first.name, first.text.to_owned(), first.files())?;
-        let settings: Settings =
-            creation.storage.and_then(|storage| eframe::get_value(storage, SETTINGS)).unwrap_or_default();
+    #[must_use]
+    pub fn new(creation: &eframe::CreationContext<'_>, unsaved: &std::path::Path) -> Self {
+        let settings = creation.storage.and_then(|storage| eframe::get_value(storage, SETTINGS));
         let context = &creation.egui_ctx;
         let stage = creation.wgpu_render_state.clone().map(|render| Stage::new(render, context.clone()));
-        Ok(Self {
-            project,
+        Self::with(settings.unwrap_or_default(), stage, unsaved)
+    }
+
+    fn with(settings: Settings, stage: Option<Stage>, unsaved: &std::path::Path) -> Self {
+        Self {
+            project: Project::example(&EXAMPLES[0]).expect("an example is no longer than scenes may be"),
             stage,
             played: None,
             clock: Clock::new(settings.pacing),
@@ -98,17 +96,25 @@ impl App {
             left: Left::all(unsaved),
             leaving: None,
             may_quit: false,
-        })
+        }
     }
 
-    /// Opens the scene file at `path`.
-    ///
-    /// # Errors
-    /// When it cannot be read.
-    #[cfg(not(target_arch = "wasm32"))]
-    pub fn open(&mut self, path: &std::path::Path) -> anyhow::Result<()> {
-        self.show(Project::open(path)?);
-        Ok(())
+    /// Goes on to another scene.
+    pub fn show(&mut self, project: Project) {
+        if let Some(path) = project.path() {
+            self.settings.remember(path);
+        }
+        self.project = project;
+        self.played = None;
+        self.refusal = None;
+        self.jump = None;
+        self.selection = Path::root();
+        self.tree = Tree::default();
+        self.inspector = Inspector::default();
+        self.styles = Styles::default();
+        self.output = Output::default();
+        self.viewport.forget();
+        self.clock = Clock::new(self.settings.pacing);
     }
 
     /// Whether the picture shows what it should, as fine as it gets.
@@ -150,17 +156,6 @@ impl App {
         self.styles.is_full()
     }
 
-    fn show(&mut self, project: Project) {
-        self.project = project;
-        self.played = None;
-        self.refusal = None;
-        self.selection = Path::root();
-        self.tree = Tree::default();
-        self.inspector = Inspector::default();
-        self.viewport.forget();
-        self.clock = Clock::new(self.settings.pacing);
-    }
-
     /// Plays what the document says by now, if it is without fault.
     fn keep_up(&mut self) {
         let revision = self.project.document().revision();
@@ -175,8 +170,8 @@ impl App {
     /// What is wrong, and what there is to say, where there is anything.
     fn problems_ui(&mut self, ui: &mut Ui) {
         let refusal = self.refusal.as_deref();
-        let failure = self.stage.as_ref().and_then(Stage::error);
-        let troubles: Vec<&str> = refusal.into_iter().chain(failure).collect();
+        let failures = self.stage.iter().flat_map(Stage::errors);
+        let troubles: Vec<&str> = refusal.into_iter().chain(failures).collect();
         let notes = self.stage.as_ref().map_or(&[][..], Stage::notes);
         if troubles.is_empty() && notes.is_empty() && self.project.report().is_empty() {
             return;
@@ -194,7 +189,7 @@ impl App {
         let requests = &mut self.requests;
         Panel::top("menu").show(ui, |ui| panels::menu::ui(ui, &self.project, &mut self.settings, requests));
         Panel::bottom("timeline").show(ui, |ui| {
-            panels::timeline::ui(ui, &mut self.clock, self.stage.as_ref(), &mut self.settings, requests);
+            panels::timeline::ui(ui, &self.clock, self.stage.as_ref(), &mut self.settings, requests);
         });
         if self.settings.tree {
             Panel::left("tree").default_size(210.0).size_range(150.0..=420.0).show(ui, |ui| {
@@ -203,7 +198,10 @@ impl App {
         }
         if self.settings.inspector {
             Panel::right("inspector").default_size(320.0).size_range(240.0..=560.0).show(ui, |ui| {
-                self.inspector.ui(ui, self.project.document(), &self.selection, requests);
+                // What is half typed belongs to one scene.
+                ui.push_id(self.project.id(), |ui| {
+                    self.inspector.ui(ui, self.project.document(), &self.selection, requests);
+                });
             });
         }
         self.problems_ui(ui);
@@ -240,7 +238,7 @@ impl eframe::App for App {
             self.requests.push(Request::Do(command));
         }
         (self.viewport.grid, self.viewport.times) = (self.settings.grid, self.settings.times);
-        self.clock.pacing = self.settings.pacing;
+        (self.clock.pacing, self.clock.looping) = (self.settings.pacing, self.settings.looping);
         let shown = self.stage.as_ref().and_then(Stage::frame);
         self.clock.tick(ctx.input(|input| input.stable_dt), shown);
         self.keep_up();

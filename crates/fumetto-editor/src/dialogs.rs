@@ -19,8 +19,15 @@ pub(crate) enum Purpose {
     Style,
 }
 
-/// What a window was asked for, and the file; none where it was closed.
-pub(crate) type Answer = (Purpose, Option<PathBuf>);
+/// What a window answered.
+#[derive(Debug)]
+pub(crate) struct Answer {
+    pub(crate) purpose: Purpose,
+    /// The project that was open when it was asked.
+    pub(crate) project: u64,
+    /// None where it was closed.
+    pub(crate) path: Option<PathBuf>,
+}
 
 /// The windows that are open, and what they answered.
 pub(crate) struct Dialogs {
@@ -36,13 +43,14 @@ impl Default for Dialogs {
 }
 
 impl Dialogs {
-    /// Asks for a file; `name` is what is offered.
-    pub(crate) fn ask(&self, ctx: &Context, purpose: Purpose, name: &str) {
+    /// Asks for a file of the project with this id; `name` is what is offered.
+    pub(crate) fn ask(&self, ctx: &Context, purpose: Purpose, project: u64, name: &str) {
         let dialog = AsyncFileDialog::new().set_file_name(name);
         let (sender, ctx) = (self.sender.clone(), ctx.clone());
         let answer = move |file: Option<rfd::FileHandle>| {
+            let path = file.map(|file| file.path().to_owned());
             // Nobody listens any more once the editor has gone.
-            let _ = sender.send((purpose, file.map(|file| file.path().to_owned())));
+            let _ = sender.send(Answer { purpose, project, path });
             ctx.request_repaint();
         };
         let scenes = dialog.clone().add_filter("Scenes", &["toml"]);

@@ -1,4 +1,4 @@
-//! The Fumetto editor: the same code in a window and in a browser tab.
+//! The Fumetto editor, in a window of its own.
 //!
 //! ```text
 //! keys, menus, panels ─▶ requests ─▶ document (text, undo) ─▶ scene ─▶ stage (engine, picture)
@@ -9,16 +9,13 @@
 //! The document is what is saved and undone; the settings are the user's; all else can be made anew from these.
 
 mod app;
-#[cfg(not(target_arch = "wasm32"))]
 mod autosave;
 mod clock;
 mod commands;
-#[cfg(not(target_arch = "wasm32"))]
 mod dialogs;
 mod examples;
 mod files;
 mod icons;
-#[cfg(not(target_arch = "wasm32"))]
 mod jobs;
 mod panels;
 mod project;
@@ -29,3 +26,4 @@ mod stage;
 mod view;
 
 pub use app::App;
+pub use project::Project;

@@ -13,6 +13,8 @@ use crate::view::Navigation;
 pub(crate) struct Settings {
     pub(crate) navigation: Navigation,
     pub(crate) pacing: Pacing,
+    /// Whether playing begins anew at the end.
+    pub(crate) looping: bool,
     pub(crate) tree: bool,
     pub(crate) inspector: bool,
     pub(crate) styles: bool,
@@ -41,6 +43,7 @@ impl Default for Settings {
         Self {
             navigation: Navigation::default(),
             pacing: Pacing::default(),
+            looping: true,
             tree: true,
             inspector: true,
             styles: false,

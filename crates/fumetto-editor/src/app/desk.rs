@@ -1,51 +1,64 @@
-//! Files: saving, what dialogs answer, what is dropped onto the window, and what a crash left.
+//! Files: saving, what dialogs answer, and what is dropped onto the window.
 
 use std::path::Path;
 
 use egui::Context;
-use fumetto_scene::edit::{Document, Edit, Item};
+use fumetto_scene::edit::{Document, Edit, Item, Table, Value};
+use fumetto_scene::presets;
 
 use super::{App, leaving::Goal};
-use crate::autosave::Left;
-use crate::dialogs::Purpose;
-use crate::jobs::{Job, Work};
-use crate::panels::output::{Asked, Usual};
-use crate::project::Project;
+use crate::dialogs::{Answer, Purpose};
 
 impl App {
     /// Saves the scene where it lies, or asks where.
     pub(super) fn save_scene(&mut self, ctx: &Context) {
         match self.project.path().map(Path::to_owned) {
             Some(path) => self.save_as(&path),
-            None => self.dialogs.ask(ctx, Purpose::Save, self.project.name()),
+            None => self.ask(Purpose::Save, self.project.name(), ctx),
         }
     }
 
     fn save_as(&mut self, path: &Path) {
+        let before = self.project.files.folder().map(Path::to_owned);
         match self.project.save(path) {
             Ok(()) => {
                 self.refusal = None;
-                self.settings.remember(path);
+                if let Some(path) = self.project.path() {
+                    self.settings.remember(path);
+                }
                 self.autosave.forget();
+                if self.project.files.folder() != before.as_deref() {
+                    // What is still to be read comes from the new folder.
+                    self.played = None;
+                }
             }
             Err(error) => self.refusal = Some(format!("{error:#}")),
         }
     }
 
+    /// Asks for a file in a window of the system's.
+    pub(super) fn ask(&self, purpose: Purpose, name: &str, ctx: &Context) {
+        self.dialogs.ask(ctx, purpose, self.project.id(), name);
+    }
+
     /// Does what the system's dialogs answered.
     pub(super) fn hear_dialogs(&mut self, ctx: &Context) {
-        for (purpose, path) in self.dialogs.answers() {
-            let Some(path) = path else {
-                // Who gives the scene no name does not leave it either.
-                self.leaving = None;
-                continue;
-            };
-            match purpose {
-                Purpose::Open => self.leave_for(Goal::File(path), ctx),
-                Purpose::Save => self.save_as(&path),
-                Purpose::Output => self.output.name(path),
-                Purpose::Style => self.save_style(&path),
-            }
+        for answer in self.dialogs.answers() {
+            self.hear(answer, ctx);
+        }
+    }
+
+    fn hear(&mut self, Answer { purpose, project, path }: Answer, ctx: &Context) {
+        match (purpose, path) {
+            (Purpose::Open, Some(path)) => self.leave_for(Goal::File(path), ctx),
+            // The scene that it was asked for is no longer open.
+            _ if project != self.project.id() => {}
+            (Purpose::Save, Some(path)) => self.save_as(&path),
+            // Who gives the scene no name does not leave it either.
+            (Purpose::Save, None) => self.leaving = None,
+            (Purpose::Output, Some(path)) => self.output.name(path),
+            (Purpose::Style, Some(path)) => self.save_style(&path),
+            (Purpose::Open | Purpose::Output | Purpose::Style, None) => {}
         }
     }
 
@@ -79,85 +92,30 @@ impl App {
     /// Writes the scene's style as a file that other scenes can name.
     fn save_style(&mut self, path: &Path) {
         use std::io::Write as _;
-        let style = self.project.document().get(&fumetto_scene::edit::Path::root().key("style"));
-        let text = style.map_or_else(String::new, |style| style.to_string());
-        let written = fumetto_disk::write(path, |draft| draft.write_all(text.as_bytes()));
-        self.refusal = written.err().map(|error| format!("{error:#}"));
-    }
-
-    /// Keeps what is not saved, for the case of a crash.
-    pub(super) fn keep_safe(&mut self, ctx: &Context) {
-        let document = self.project.document();
-        if !document.is_changed() {
-            self.autosave.forget();
-            return;
-        }
-        match self.autosave.keep(document.revision(), self.project.path(), document.text()) {
-            // Nobody may touch anything until then.
-            Ok(Some(wait)) => ctx.request_repaint_after(wait),
-            Ok(None) => {}
-            Err(error) => {
-                self.refusal =
-                    Some(format!("what is not saved cannot be kept for the case of a crash: {error:#}"));
-            }
-        }
-    }
-
-    /// Offers what an editor left that ended unexpectedly.
-    pub(super) fn recovery_ui(&mut self, ctx: &Context) {
-        let Some(left) = self.left.first().cloned() else { return };
-        let name = left
-            .path
-            .as_ref()
-            .map_or_else(|| "A scene that was never saved".into(), |path| path.display().to_string());
-        let mut wanted = None;
-        egui::Modal::new(egui::Id::unique("recovery")).show(ctx, |ui| {
-            ui.heading("Go on with unsaved work?");
-            ui.label(format!("{name} had changes when the editor ended unexpectedly."));
-            ui.add_space(8.0);
-            ui.horizontal(|ui| {
-                for (name, what) in [("Recover", true), ("Throw away", false)] {
-                    if ui.button(name).clicked() {
-                        wanted = Some(what);
-                    }
-                }
-            });
+        let written = style_file(self.project.document()).and_then(|text| {
+            fumetto_disk::write(path, |draft| draft.write_all(text.as_bytes()))
+                .map_err(|error| format!("{error:#}"))
         });
-        let Some(wanted) = wanted else { return };
-        if wanted {
-            self.recover(&left);
-        }
-        left.forget();
-        self.left.remove(0);
+        self.refusal = written.err();
     }
+}
 
-    fn recover(&mut self, left: &Left) {
-        match Project::recovered(left.path.as_deref(), left.text.clone()) {
-            Ok(project) => self.show(project),
-            Err(error) => self.refusal = Some(format!("{error:#}")),
-        }
+/// The scene's style as a file of its own.
+fn style_file(document: &Document) -> Result<String, String> {
+    let style = document.get(&fumetto_scene::edit::Path::root().key("style"));
+    let mut table = match style {
+        Some(Value::Table(table)) => table,
+        _ => Table::new(),
+    };
+    if let Some(file) = table.get("file").and_then(Value::as_str) {
+        return Err(format!(
+            "the scene's style starts from {file}, and a style file cannot start from another; change that file, or start from a preset"
+        ));
     }
-
-    /// Opens the window for renderings (`work`) and exports.
-    pub(super) fn order(&mut self, work: Work) {
-        let Some(scene) = self.project.scene() else { return };
-        let path = self.project.path().map_or_else(|| self.project.name().into(), Path::to_owned);
-        let (frame, frames, output) = (self.clock.frame(), scene.time.frames, scene.output);
-        self.output.open(work, &Usual { scene: &path, frame, frames, output });
+    if table.is_empty() {
+        table.insert("preset".into(), presets::names()[0].into());
     }
-
-    /// The window for renderings and exports, and what is under way.
-    pub(super) fn output_ui(&mut self, ctx: &Context) {
-        self.jobs.iter_mut().for_each(Job::hear);
-        match self.output.ui(ctx, &mut self.jobs) {
-            Some(Asked::Name(name)) => self.dialogs.ask(ctx, Purpose::Output, &name),
-            Some(Asked::Start(order)) => match Job::start(order, &self.project, ctx) {
-                Ok(job) => self.jobs.push(job),
-                Err(error) => self.refusal = Some(format!("{error:#}")),
-            },
-            None => {}
-        }
-    }
+    Ok(table.to_string())
 }
 
 fn has_extension(path: &Path, extension: &str) -> bool {
@@ -186,13 +144,23 @@ fn addition(document: &Document, path: &Path, name: &str) -> Result<Edit, String
 }
 
 fn toml_string(text: &str) -> String {
-    fumetto_scene::edit::Value::from(text).to_string()
+    Value::from(text).to_string()
 }
 
 #[cfg(test)]
 #[expect(clippy::unwrap_used, reason = "a test that cannot set up should stop")]
 mod tests {
+    use std::fs;
+    use std::path::PathBuf;
+    use std::sync::Arc;
+
+    use fumetto::Assets as _;
+    use fumetto_scene::{Scene, SceneText};
+
     use super::*;
+    use crate::examples::EXAMPLES;
+    use crate::project::Project;
+    use crate::settings::Settings;
 
     fn added(path: &str) -> Result<String, String> {
         let mut document = Document::open("format = 1\n").unwrap();
@@ -208,5 +176,101 @@ mod tests {
         assert!(added("burst.vdb").unwrap().contains("kind = \"volume\"\nvolume = \"burst.vdb\""));
         assert!(added("sky.png").unwrap().contains("image = \"sky.png\""));
         assert!(added("letter.docx").unwrap_err().contains("letter.docx"));
+    }
+
+    #[test]
+    fn a_style_of_its_own_is_a_file_that_scenes_can_name() {
+        let written = |scene: &str| style_file(&Document::open(scene).unwrap());
+        let style = "style = { preset = \"comic\", tones = [\"#102030\", \"#ffffff\"], ink = { width = { px = 3.0 } } }\n";
+        let objects = "[[object]]\nname = \"a\"\nkind = \"cloud\"\nparticles = [{ center = [0, 0, 0], radius = 1 }]\n[[light]]\nkind = \"sun\"\ndirection = [0, -1, -1]\n[camera]\neye = [0, 0, 5]\ntarget = [0, 0, 0]\n";
+        let load = |style: &str, file: &str| {
+            let toml = format!("format = 1\n{style}{objects}");
+            let text = SceneText { name: "a.toml", toml: &toml, ..SceneText::default() };
+            let (scene, report) = Scene::load(&text, &mut |_| Ok(file.to_owned())).unwrap();
+            assert!(report.is_empty(), "{report}");
+            scene.objects[0].style.clone()
+        };
+        let named = "style = { file = \"my.style.toml\" }\n";
+        assert_eq!(load(named, &written(style).unwrap()), load(style, ""));
+        assert_eq!(
+            load(named, &written("format = 1\n").unwrap()),
+            load("", ""),
+            "the usual style is one, too"
+        );
+        assert!(written(named).unwrap_err().contains("my.style.toml"));
+    }
+
+    /// An editor without a device, with a scene that was changed.
+    fn editor(folder: &Path) -> App {
+        let mut app = App::with(Settings::default(), None, folder);
+        app.project.edit(&Edit::ReplaceText("format = 1\n".to_owned()), None).unwrap();
+        app
+    }
+
+    #[test]
+    fn an_answer_for_a_scene_that_has_gone_does_nothing() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut app = editor(folder.path());
+        let place = folder.path().join("a.toml");
+        let answer = |project| Answer { purpose: Purpose::Save, project, path: Some(place.clone()) };
+        let old = app.project.id();
+        app.show(Project::example(&EXAMPLES[1]).unwrap());
+        app.hear(answer(old), &Context::default());
+        assert!(!place.exists());
+        app.hear(answer(app.project.id()), &Context::default());
+        assert!(place.exists());
+    }
+
+    #[test]
+    fn what_its_user_likes_outlasts_a_scene() {
+        let folder = tempfile::tempdir().unwrap();
+        let settings = Settings { looping: false, ..Settings::default() };
+        let mut app = App::with(settings, None, folder.path());
+        let place = folder.path().join("a.toml");
+        fs::write(&place, "format = 1\n").unwrap();
+        app.show(Project::open(&place).unwrap());
+        assert_eq!(app.settings.recent, [place]);
+        assert!(!app.settings.looping);
+    }
+
+    #[test]
+    fn only_who_gives_the_scene_no_name_stays() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut app = editor(folder.path());
+        let ctx = Context::default();
+        app.leave_for(Goal::New, &ctx);
+        let project = app.project.id();
+        app.hear(Answer { purpose: Purpose::Output, project, path: None }, &ctx);
+        assert!(app.leaving.is_some());
+        app.hear(Answer { purpose: Purpose::Save, project, path: None }, &ctx);
+        assert!(app.leaving.is_none());
+    }
+
+    #[derive(Debug)]
+    struct Dropped(PathBuf);
+
+    impl egui::DroppedFile for Dropped {
+        fn path(&self) -> &Path {
+            &self.0
+        }
+
+        fn bytes(&self) -> Result<Vec<u8>, String> {
+            fs::read(&self.0).map_err(|error| error.to_string())
+        }
+    }
+
+    #[test]
+    fn what_is_dropped_onto_a_scene_that_lies_nowhere_is_found() {
+        let folder = tempfile::tempdir().unwrap();
+        let place = folder.path().join("a.csv");
+        fs::write(&place, "x,y,z,radius\n0,0,0,1\n").unwrap();
+        let mut app = editor(folder.path());
+        let ctx = Context::default();
+        let mut input = egui::RawInput::default();
+        input.dropped_files.push(Arc::new(Dropped(place.clone())));
+        let mut shown = ctx.run_ui(input, |ui| app.take_dropped(ui.ctx()));
+        shown.textures_delta.clear();
+        assert!(app.project.document().text().contains("a.csv"), "{:?}", app.refusal);
+        assert!(app.project.files.read(place.to_str().unwrap()).is_ok());
     }
 }

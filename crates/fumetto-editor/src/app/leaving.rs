@@ -46,11 +46,8 @@ impl App {
                 let text = fumetto_scene::starts::CLOUD.to_owned();
                 Project::new("untitled.toml", text, Files::default()).map_err(Into::into)
             }
-            Goal::Example(index) => {
-                let example = &EXAMPLES[index];
-                Project::new(example.name, example.text.to_owned(), example.files()).map_err(Into::into)
-            }
-            Goal::File(path) => Project::open(&path).inspect(|_| self.settings.remember(&path)),
+            Goal::Example(index) => Project::example(&EXAMPLES[index]).map_err(Into::into),
+            Goal::File(path) => Project::open(&path),
             Goal::Quit => {
                 self.may_quit = true;
                 self.autosave.forget();

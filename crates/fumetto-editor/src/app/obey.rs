@@ -23,7 +23,7 @@ impl App {
             Request::Do(command) => self.obey(command, ctx),
             Request::Select(path) => self.selection = path,
             Request::Leave(goal) => self.leave_for(goal, ctx),
-            Request::SaveStyle => self.dialogs.ask(ctx, Purpose::Style, "my.style.toml"),
+            Request::SaveStyle => self.ask(Purpose::Style, "my.style.toml", ctx),
             Request::Seek(frame) => self.clock.seek(frame),
             Request::ShowText(span) => {
                 self.settings.text = true;
@@ -35,9 +35,9 @@ impl App {
     fn obey(&mut self, command: Command, ctx: &Context) {
         match command {
             Command::New => self.leave_for(Goal::New, ctx),
-            Command::Open => self.dialogs.ask(ctx, Purpose::Open, ""),
+            Command::Open => self.ask(Purpose::Open, "", ctx),
             Command::Save => self.save_scene(ctx),
-            Command::SaveAs => self.dialogs.ask(ctx, Purpose::Save, self.project.name()),
+            Command::SaveAs => self.ask(Purpose::Save, self.project.name(), ctx),
             Command::Render => self.order(Work::Picture),
             Command::Export => self.order(Work::Drawing),
             Command::Undo => self.project.undo(),

@@ -1,5 +1,5 @@
 use std::io::{self, BufRead as _, BufReader, Read as _, Write as _};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::{Child, Command, Stdio};
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::thread;
@@ -30,10 +30,11 @@ pub(crate) struct Job {
     /// Frames that are done.
     done: u32,
     start: Instant,
-    child: Child,
+    /// None once it was waited for.
+    child: Option<Child>,
     news: Receiver<News>,
     /// Holds the scene's files that are on no disk, as long as the job needs them.
-    _files: Option<TempDir>,
+    files: Option<TempDir>,
 }
 
 enum News {
@@ -58,7 +59,8 @@ impl Job {
         let (sender, news) = channel();
         listen(&mut child, project.document().text().to_owned(), sender, ctx.clone())
             .context("cannot listen to the program that renders")?;
-        Ok(Self { order, state: State::Running, done: 0, start: Instant::now(), child, news, _files: files })
+        let (state, child) = (State::Running, Some(child));
+        Ok(Self { order, state, done: 0, start: Instant::now(), child, news, files })
     }
 
     /// Hears what has become of it.
@@ -67,7 +69,8 @@ impl Job {
             match news {
                 News::Frame => self.done += 1,
                 News::End(said) => {
-                    let succeeded = self.child.wait().is_ok_and(|status| status.success());
+                    let ended = self.child.take().and_then(|mut child| child.wait().ok());
+                    let succeeded = ended.is_some_and(|status| status.success());
                     if self.state == State::Running {
                         self.state = if succeeded { State::Done } else { State::Failed(said) };
                     }
@@ -80,7 +83,7 @@ impl Job {
     pub(crate) fn stop(&mut self) {
         if self.state == State::Running {
             self.state = State::Stopped;
-            interrupt(&mut self.child);
+            self.child.iter_mut().for_each(interrupt);
         }
     }
 
@@ -99,6 +102,14 @@ impl Job {
 impl Drop for Job {
     fn drop(&mut self) {
         self.stop();
+        let (child, files) = (self.child.take(), self.files.take());
+        if let Some(mut child) = child {
+            // It tidies up first, and the window goes on. Without a thread nobody waits for it.
+            let _ = thread::Builder::new().name("job.end".into()).spawn(move || {
+                let _ = child.wait();
+                drop(files);
+            });
+        }
     }
 }
 
@@ -117,8 +128,7 @@ fn interrupt(child: &mut Child) {
 
 /// The scene's own folder, or one with those of its files that are on no disk.
 fn folder_for(project: &Project) -> anyhow::Result<(PathBuf, Option<TempDir>)> {
-    if let Some(folder) = project.path().and_then(Path::parent) {
-        let folder = if folder == Path::new("") { Path::new(".") } else { folder };
+    if let Some(folder) = project.files.folder() {
         return Ok((folder.to_owned(), None));
     }
     let folder = tempfile::tempdir().context("cannot put the scene's files anywhere")?;

@@ -6,4 +6,4 @@ mod child;
 mod order;
 
 pub(crate) use child::{Job, State};
-pub(crate) use order::{LAYERS, Order, Work, name_for};
+pub(crate) use order::{LAST_FRAME, LAYERS, Order, Work, name_for};

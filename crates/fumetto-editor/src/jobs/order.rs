@@ -3,6 +3,9 @@ use std::path::{Path, PathBuf};
 /// Layers that can be written beside pictures, as the command line calls them.
 pub(crate) const LAYERS: [&str; 5] = ["normal", "depth", "id", "alpha", "ink"];
 
+/// The last frame that is made: names number frames with up to six digits, and ten hours are longer than a film.
+pub(crate) const LAST_FRAME: u32 = 999_999;
+
 /// What is to be made.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum Work {
@@ -83,6 +86,7 @@ impl Work {
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Order {
     pub(crate) work: Work,
+    /// From the root: the command runs elsewhere.
     pub(crate) out: PathBuf,
     /// The frame of what is still.
     pub(crate) frame: u32,
@@ -130,7 +134,7 @@ impl Order {
 
     /// How many frames there are to do.
     pub(crate) fn count(&self) -> u32 {
-        if self.work.is_still() { 1 } else { self.frames[1].saturating_sub(self.frames[0]) + 1 }
+        if self.work.is_still() { 1 } else { self.frames[1].saturating_sub(self.frames[0]).saturating_add(1) }
     }
 }
 
@@ -171,5 +175,7 @@ mod tests {
         assert_eq!(typed(Work::Drawing), "export - --json --output /a/b.svg --frame 7 --size 64x36");
         assert_eq!(typed(Work::Mesh), "export - --json --output /a/b.glb --frame 7");
         assert_eq!((order(Work::Sequence).count(), order(Work::Mesh).count()), (4, 1));
+        let endless = Order { frames: [0, u32::MAX], ..order(Work::Animation) };
+        assert_eq!(endless.count(), u32::MAX);
     }
 }

@@ -2,7 +2,6 @@
 
 pub(crate) mod inspector;
 pub(crate) mod menu;
-#[cfg(not(target_arch = "wasm32"))]
 pub(crate) mod output;
 pub(crate) mod palette;
 pub(crate) mod problems;

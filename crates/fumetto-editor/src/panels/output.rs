@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use egui::{ComboBox, Context, DragValue, Grid, ProgressBar, Ui};
 
 use crate::icons::Icon;
-use crate::jobs::{Job, LAYERS, Order, State, Work, name_for};
+use crate::jobs::{Job, LAST_FRAME, LAYERS, Order, State, Work, name_for};
 
 /// What the window asks for.
 pub(crate) enum Asked {
@@ -17,11 +17,16 @@ pub(crate) enum Asked {
 /// The window, and what is chosen in it.
 #[derive(Default)]
 pub(crate) struct Output {
+    is_open: bool,
+    /// None while there is no scene to render.
     order: Option<Order>,
+    /// Names that are no whole paths are found from here.
+    folder: PathBuf,
 }
 
 /// What is rendered unless the user says otherwise.
 pub(crate) struct Usual<'a> {
+    pub(crate) work: Work,
     /// Where the scene lies, or would.
     pub(crate) scene: &'a Path,
     pub(crate) frame: u32,
@@ -30,17 +35,32 @@ pub(crate) struct Usual<'a> {
 }
 
 impl Output {
-    pub(crate) fn open(&mut self, work: Work, usual: &Usual<'_>) {
-        self.order = Some(Order {
-            work,
-            out: name_for(usual.scene, work),
-            frame: usual.frame,
-            frames: usual.frames,
+    /// Without a scene to render it shows what is under way.
+    pub(crate) fn open(&mut self, usual: Option<Usual<'_>>) {
+        self.is_open = true;
+        self.folder =
+            usual.as_ref().and_then(|usual| usual.scene.parent()).unwrap_or(Path::new("")).to_owned();
+        self.order = usual.map(|usual| Order {
+            work: usual.work,
+            out: name_for(usual.scene, usual.work),
+            frame: usual.frame.min(LAST_FRAME),
+            frames: usual.frames.map(|frame| frame.min(LAST_FRAME)),
             size: usual.output.size,
             antialias: usual.output.antialias,
             layers: [false; 5],
             resume: false,
         });
+    }
+
+    /// Whether it is open, and there was nothing to render.
+    pub(crate) fn waits_for_scene(&self) -> bool {
+        self.is_open && self.order.is_none()
+    }
+
+    /// Where it goes.
+    #[cfg(test)]
+    pub(crate) fn out(&self) -> Option<&Path> {
+        self.order.as_ref().map(|order| order.out.as_path())
     }
 
     /// The user has chosen where it goes.
@@ -51,20 +71,24 @@ impl Output {
     }
 
     pub(crate) fn ui(&mut self, ctx: &Context, jobs: &mut Vec<Job>) -> Option<Asked> {
-        let order = self.order.as_mut()?;
-        let (mut open, mut asked) = (true, None);
-        egui::Window::new("Render and export").open(&mut open).resizable(false).show(ctx, |ui| {
-            order_ui(ui, order, &mut asked);
+        let mut asked = None;
+        let (order, folder) = (&mut self.order, &self.folder);
+        egui::Window::new("Render and export").open(&mut self.is_open).resizable(false).show(ctx, |ui| {
+            match order {
+                Some(order) => order_ui(ui, order, folder, &mut asked),
+                None => {
+                    ui.label(
+                        "There is no picture of a scene with errors. They are listed below the picture.",
+                    );
+                }
+            }
             jobs_ui(ui, jobs);
         });
-        if !open {
-            self.order = None;
-        }
         asked
     }
 }
 
-fn order_ui(ui: &mut Ui, order: &mut Order, asked: &mut Option<Asked>) {
+fn order_ui(ui: &mut Ui, order: &mut Order, folder: &Path, asked: &mut Option<Asked>) {
     Grid::new("order").num_columns(2).spacing([12.0, 6.0]).show(ui, |ui| {
         ui.label("What");
         let before = order.work;
@@ -92,22 +116,24 @@ fn order_ui(ui: &mut Ui, order: &mut Order, asked: &mut Option<Asked>) {
         frames_ui(ui, order);
         picture_ui(ui, order);
     });
-    if ui.button("Start").clicked() {
-        *asked = Some(Asked::Start(order.clone()));
+    let out = folder.join(&order.out);
+    let start = ui.add_enabled(out.is_absolute(), egui::Button::new("Start"));
+    if start.on_disabled_hover_text("Choose first where it goes").clicked() {
+        *asked = Some(Asked::Start(Order { out, ..order.clone() }));
     }
 }
 
 fn frames_ui(ui: &mut Ui, order: &mut Order) {
     if order.work.is_still() {
         ui.label("Frame");
-        ui.add(DragValue::new(&mut order.frame));
+        ui.add(DragValue::new(&mut order.frame).range(0..=LAST_FRAME));
     } else {
         ui.label("Frames");
         ui.horizontal(|ui| {
             let [first, last] = &mut order.frames;
             ui.add(DragValue::new(first).range(0..=*last));
             ui.label("to");
-            ui.add(DragValue::new(last).range(*first..=u32::MAX));
+            ui.add(DragValue::new(last).range(*first..=LAST_FRAME));
         });
     }
     ui.end_row();

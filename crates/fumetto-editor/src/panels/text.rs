@@ -18,6 +18,8 @@ pub(crate) fn ui(ui: &mut Ui, project: &Project, jump: &mut Option<Range<usize>>
     egui::ScrollArea::both().auto_shrink(false).show(ui, |ui| {
         let editor =
             TextEdit::multiline(&mut text).code_editor().desired_width(f32::INFINITY).desired_rows(12);
+        // What the field itself takes back belongs to one scene.
+        let editor = editor.id_salt(project.id());
         let mut shown = editor.show(ui);
         let response = &shown.response.response;
         if response.changed() {

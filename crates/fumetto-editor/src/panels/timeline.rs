@@ -14,7 +14,7 @@ const BAR_HEIGHT: f32 = 18.0;
 
 pub(crate) fn ui(
     ui: &mut Ui,
-    clock: &mut Clock,
+    clock: &Clock,
     stage: Option<&Stage>,
     settings: &mut Settings,
     requests: &mut Requests,
@@ -40,7 +40,7 @@ pub(crate) fn ui(
             requests.push(Request::Seek(frame));
         }
         ui.weak(format!("of {last}, {} a second", clock.fps()));
-        ui.toggle_value(&mut clock.looping, "Loop").on_hover_text("Begin anew at the end");
+        ui.toggle_value(&mut settings.looping, "Loop").on_hover_text("Begin anew at the end");
         let mut every = settings.pacing == Pacing::EveryFrame;
         if ui
             .toggle_value(&mut every, "Every frame")
@@ -58,7 +58,7 @@ fn bar_ui(ui: &mut Ui, clock: &Clock, stage: Option<&Stage>, requests: &mut Requ
     let size = egui::vec2(ui.available_width(), BAR_HEIGHT);
     let (rect, bar) = ui.allocate_exact_size(size, Sense::click_and_drag());
     bar.widget_info(|| WidgetInfo::slider(true, clock.frame().into(), "Frame"));
-    let frames = (last - first + 1) as f32;
+    let frames = (last - first) as f32 + 1.0;
     let place = |frame: f32| rect.left() + rect.width() * (frame - first as f32) / frames;
     if let Some(pointer) = bar.interact_pointer_pos().filter(|_| bar.dragged() || bar.clicked()) {
         let share = ((pointer.x - rect.left()) / rect.width()).clamp(0.0, 1.0);

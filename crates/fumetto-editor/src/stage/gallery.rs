@@ -3,10 +3,10 @@ use std::collections::HashMap;
 use eframe::egui_wgpu::RenderState;
 use egui::TextureId;
 use fumetto::Shot;
-use fumetto_scene::presets;
+use fumetto_scene::{Camera, presets};
 
 use super::canvas::Canvas;
-use super::{Stage, before_grey, with_causes};
+use super::{Stage, before_grey, said};
 use crate::project::Project;
 
 /// How wide a picture of the gallery is, in pixels.
@@ -18,8 +18,17 @@ pub(super) struct Gallery {
     canvases: HashMap<&'static str, Canvas>,
     /// Which of the presets is drawn next.
     next: usize,
-    /// The revision of the document and the frame that the pictures show.
-    of: Option<(u64, u32)>,
+    /// What the pictures show.
+    of: Option<Moment>,
+}
+
+/// A revision of a project at a frame, as a camera sees it.
+#[derive(Clone, Debug, PartialEq)]
+struct Moment {
+    project: u64,
+    revision: u64,
+    frame: u32,
+    camera: Camera,
 }
 
 impl Gallery {
@@ -31,23 +40,21 @@ impl Gallery {
 impl Stage {
     /// Draws one more picture of the gallery, where the device has nothing else to do.
     pub(crate) fn draw_style(&mut self, project: &Project) -> Option<(&'static str, TextureId)> {
-        let frame = self.frame()?;
-        let of = (project.document().revision(), frame);
+        let (wish, _) = self.shown.as_ref()?;
         if self.pace.is_busy() || !self.is_at_rest() {
             return None;
         }
-        if self.gallery.of != Some(of) {
+        let (project_id, revision) = (project.id(), project.document().revision());
+        let of = Moment { project: project_id, revision, frame: wish.frame, camera: wish.camera.clone() };
+        if self.gallery.of.as_ref() != Some(&of) {
             (self.gallery.of, self.gallery.next) = (Some(of), 0);
+            self.failures.gallery = None;
         }
         let preset = presets::names().get(self.gallery.next).copied()?;
         self.gallery.next += 1;
-        match self.style_picture(project, preset) {
-            Ok(picture) => picture.map(|picture| (preset, picture)),
-            Err(error) => {
-                self.error = Some(with_causes(&error));
-                None
-            }
-        }
+        let picture = self.style_picture(project, preset);
+        self.failures.gallery = said(&picture).or(self.failures.gallery.take());
+        picture.ok()?.map(|picture| (preset, picture))
     }
 
     fn style_picture(

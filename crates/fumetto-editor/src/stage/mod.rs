@@ -43,7 +43,15 @@ pub(crate) struct Stage {
     shown: Option<(Wish, u32)>,
     picture: Option<TextureId>,
     wake: egui::Context,
-    error: Option<String>,
+    failures: Failures,
+}
+
+/// What went wrong last, each until it goes right.
+#[derive(Default)]
+struct Failures {
+    play: Option<String>,
+    draw: Option<String>,
+    gallery: Option<String>,
 }
 
 impl Stage {
@@ -65,7 +73,7 @@ impl Stage {
             shown: None,
             picture: None,
             wake,
-            error: None,
+            failures: Failures::default(),
         }
     }
 
@@ -77,7 +85,7 @@ impl Stage {
             Some(player) => self.engine.renew(player, scene, assets),
             None => self.engine.play(scene, assets).map(|player| self.player = Some(player)),
         };
-        self.error = played.err().map(|error| with_causes(&error));
+        self.failures = Failures { play: said(&played), ..Failures::default() };
         self.shown = None;
     }
 
@@ -86,9 +94,10 @@ impl Stage {
         self.player.as_ref().map(Player::scene)
     }
 
-    /// What went wrong last, until something goes right.
-    pub(crate) fn error(&self) -> Option<&str> {
-        self.error.as_deref()
+    /// What went wrong last, until it goes right.
+    pub(crate) fn errors(&self) -> impl Iterator<Item = &str> {
+        let Failures { play, draw, gallery } = &self.failures;
+        [play, draw, gallery].into_iter().flat_map(Option::as_deref)
     }
 
     /// What the files that were read give reason to say.
@@ -129,18 +138,16 @@ impl Stage {
     pub(crate) fn show(&mut self, wish: &Wish) -> Option<TextureId> {
         // Browsers do this by themselves.
         let _ = self.engine.gpu().device.poll(wgpu::PollType::Poll);
-        if let Err(error) = self.trouble.check() {
-            self.error = Some(error.to_string());
-        }
         if self.pace.is_free() && self.is_behind(wish) {
-            match self.draw(wish) {
-                Ok(()) => {}
-                Err(error) => {
-                    self.error = Some(with_causes(&error));
-                    // It will not go better the next time.
-                    self.shown = Some((wish.clone(), 1));
-                }
+            let drawn = self.draw(wish);
+            if drawn.is_err() {
+                // It will not go better the next time.
+                self.shown = Some((wish.clone(), 1));
             }
+            self.failures.draw = said(&drawn);
+        }
+        if let Err(error) = self.trouble.check() {
+            self.failures.draw = Some(error.to_string());
         }
         if self.pace.is_busy() {
             // The device tells that it is done only to those who ask.
@@ -198,8 +205,9 @@ fn before_grey(mut scene: Scene) -> Scene {
     scene
 }
 
-/// An error with what led to it.
-fn with_causes(error: &dyn std::error::Error) -> String {
+/// What went wrong, with what led to it.
+fn said<T>(result: &Result<T, fumetto::Error>) -> Option<String> {
+    let error: &dyn std::error::Error = result.as_ref().err()?;
     let causes = std::iter::successors(error.source(), |cause| cause.source());
-    causes.fold(error.to_string(), |text, cause| format!("{text}: {cause}"))
+    Some(causes.fold(error.to_string(), |text, cause| format!("{text}: {cause}")))
 }

@@ -1,9 +1,10 @@
 //! The editor in a window that only tests see.
 
+use std::path::Path;
 use std::time::{Duration, Instant};
 
 use egui_kittest::{Harness, kittest::Queryable};
-use fumetto_editor::App;
+use fumetto_editor::{App, Project};
 use tempfile::TempDir;
 
 /// The slowest processor has drawn a picture by then.
@@ -28,8 +29,13 @@ impl Desk {
             .with_size([1280.0, 800.0])
             .with_max_steps(4)
             .wgpu()
-            .build_eframe(|creation| App::new(creation, &unsaved).expect("the first example opens"));
+            .build_eframe(|creation| App::new(creation, &unsaved));
         Self { window, folder }
+    }
+
+    /// Opens a scene file, as when it is named on the command line.
+    pub(crate) fn show(&mut self, scene: &Path) {
+        self.window.state_mut().show(Project::open(scene).expect("the scene can be read"));
     }
 
     /// Lets time pass until something is so.
@@ -78,9 +84,7 @@ impl Desk {
     pub(crate) fn look(&mut self, name: &str) -> Vec<u8> {
         let image = self.window.render().expect("the window can be drawn");
         if let Some(folder) = std::env::var_os("FUMETTO_LOOK") {
-            image
-                .save(std::path::Path::new(&folder).join(format!("{name}.png")))
-                .expect("the folder is there");
+            image.save(Path::new(&folder).join(format!("{name}.png"))).expect("the folder is there");
         }
         image.into_raw()
     }

@@ -23,6 +23,14 @@ fn a_drag_turns_the_picture_and_a_key_turns_it_back() {
 }
 
 fn drag(desk: &mut Desk, from: Pos2, to: Pos2) {
+    hold(desk, from, to);
+    desk.window.drop_at(to);
+    desk.window.remove_cursor();
+    desk.window.step();
+}
+
+/// A drag that is not let go yet.
+fn hold(desk: &mut Desk, from: Pos2, to: Pos2) {
     desk.window.hover_at(from);
     desk.window.step();
     desk.window.event(egui::Event::PointerButton {
@@ -35,9 +43,6 @@ fn drag(desk: &mut Desk, from: Pos2, to: Pos2) {
         desk.window.hover_at(from.lerp(to, step as f32 / 8.0));
         desk.window.step();
     }
-    desk.window.drop_at(to);
-    desk.window.remove_cursor();
-    desk.window.step();
 }
 
 fn share_of_difference(a: &[u8], b: &[u8]) -> f32 {
@@ -60,6 +65,9 @@ fn the_gallery_shows_the_scene_in_every_style_and_a_click_takes_one() {
     desk.window.key_press_modifiers(egui::Modifiers::COMMAND, egui::Key::Z);
     desk.window.run_steps(2);
     assert!(!desk.window.state().text().contains("comic"));
+    desk.menu(&["File", "Examples", "cloud-simple.toml"]);
+    assert!(!desk.window.state().has_full_gallery(), "what it shows is another scene's");
+    desk.wait_until("a full gallery", App::has_full_gallery);
 }
 
 #[test]
@@ -128,4 +136,44 @@ fn a_stroke_lays_a_chain_of_particles_in_one_step() {
     desk.window.key_press_modifiers(egui::Modifiers::COMMAND, egui::Key::Z);
     desk.window.run_steps(2);
     assert_eq!(desk.window.state().text(), before);
+}
+
+#[test]
+fn a_key_during_a_drag_takes_nothing_from_the_hand() {
+    let mut desk = Desk::open();
+    desk.menu(&["File", "Examples", "cloud-simple.toml"]);
+    desk.settle();
+    desk.click("cloud");
+    let before = desk.window.state().text().to_owned();
+    let picture = desk.window.get_by_label("Picture").rect();
+    let particle = picture.min + picture.size() * egui::vec2(0.296, 0.64);
+    hold(&mut desk, particle, particle - egui::vec2(40.0, 0.0));
+    desk.window.key_down(egui::Key::A);
+    desk.window.hover_at(particle - egui::vec2(80.0, 0.0));
+    desk.window.step();
+    desk.window.drop_at(particle - egui::vec2(80.0, 0.0));
+    desk.window.step();
+    desk.window.key_up(egui::Key::A);
+    desk.settle();
+    let count = |text: &str| text.matches("center").count();
+    assert_eq!(count(desk.window.state().text()), count(&before), "no chain is laid");
+    assert_ne!(desk.window.state().text(), before);
+}
+
+#[test]
+fn what_went_wrong_is_said_until_it_goes_right() {
+    let mut desk = Desk::open();
+    let scene = desk.folder.path().join("sky.toml");
+    let text = include_str!("../../../../scenes/cloud-simple.toml");
+    let text = text.replace("gradient = [\"#5fa9e6\", \"#d9eef2\"]", "image = \"sky.png\"");
+    std::fs::write(&scene, text).expect("there is room");
+    desk.show(&scene);
+    desk.window.run_steps(3);
+    desk.window.get_by_label_contains("No such file");
+    std::fs::write(desk.folder.path().join("sky.png"), include_bytes!("../../../../scenes/roof.png"))
+        .expect("there is room");
+    desk.click("cloud");
+    desk.window.key_press_modifiers(egui::Modifiers::COMMAND, egui::Key::D);
+    desk.settle();
+    assert!(desk.window.query_by_label_contains("No such file").is_none());
 }

@@ -63,10 +63,11 @@ pub(super) fn field_ui(ui: &mut Ui, slot: &Slot<'_>, shown: &str, width: f32, hi
         ui.data_mut(|data| data.insert_temp(draft, text));
         return None;
     }
+    // What was typed counts now or never: the field may be gone for a while before it is shown again.
+    ui.data_mut(|data| data.remove_temp::<String>(draft));
     if !field.lost_focus() {
         return None;
     }
-    ui.data_mut(|data| data.remove_temp::<String>(draft));
     let is_wanted = !ui.input(|input| input.key_pressed(Key::Escape));
     (is_wanted && text != shown).then_some(text)
 }
