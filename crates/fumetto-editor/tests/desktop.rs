@@ -84,3 +84,14 @@ fn a_window_shows_the_scene_that_was_named() {
         sleep(Duration::from_millis(200));
     }
 }
+
+#[test]
+fn a_scene_that_cannot_be_read_is_told_without_a_window() {
+    let home = tempfile::tempdir().unwrap();
+    let scene = home.path().join("gone.toml");
+    let ended = Command::new(env!("CARGO_BIN_EXE_fumetto-editor")).arg(&scene).output().unwrap();
+    let said = String::from_utf8(ended.stderr).unwrap();
+    assert!(!ended.status.success());
+    assert!(said.contains(&format!("cannot open {}", scene.display())), "{said}");
+    assert!(said.contains("No such file") && !said.contains("window"), "{said}");
+}

@@ -24,10 +24,11 @@ impl App {
     /// The window for renderings and exports, and what is under way.
     pub(super) fn output_ui(&mut self, ctx: &Context) {
         self.jobs.iter_mut().for_each(Job::hear);
-        if self.output.waits_for_scene() && self.project.scene().is_some() {
+        let has_scene = self.project.scene().is_some();
+        if has_scene && self.output.waits_for_scene() {
             self.order(Work::Picture);
         }
-        match self.output.ui(ctx, &mut self.jobs) {
+        match self.output.ui(ctx, has_scene, &mut self.jobs) {
             Some(Asked::Name(name)) => self.ask(Purpose::Output, &name, ctx),
             Some(Asked::Start(order)) => match Job::start(order, &self.project, ctx) {
                 Ok(job) => self.jobs.push(job),

@@ -182,3 +182,35 @@ fn listen(child: &mut Child, scene: String, sender: Sender<News>, ctx: Context) 
     })?;
     Ok(())
 }
+
+#[cfg(all(test, target_os = "linux"))]
+#[expect(clippy::unwrap_used, reason = "a test that cannot set up should stop")]
+mod tests {
+    use super::*;
+    use crate::jobs::Work;
+
+    #[test]
+    fn a_stopped_job_is_waited_for_off_the_list_too() {
+        let child = Command::new("sleep").arg("0.1").spawn().unwrap();
+        let process = PathBuf::from(format!("/proc/{}", child.id()));
+        let order = Order {
+            work: Work::Picture,
+            out: "/a.png".into(),
+            frame: 0,
+            frames: [0, 0],
+            size: [1, 1],
+            antialias: 1,
+            layers: [false; 5],
+            resume: false,
+        };
+        let (state, child, start) = (State::Running, Some(child), Instant::now());
+        let (_, news) = channel();
+        let mut job = Job { order, state, done: 0, start, child, news, files: None };
+        job.stop();
+        drop(job);
+        while process.exists() {
+            assert!(start.elapsed() < Duration::from_secs(20), "nobody waits for it");
+            thread::sleep(Duration::from_millis(10));
+        }
+    }
+}

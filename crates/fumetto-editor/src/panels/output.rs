@@ -70,9 +70,10 @@ impl Output {
         }
     }
 
-    pub(crate) fn ui(&mut self, ctx: &Context, jobs: &mut Vec<Job>) -> Option<Asked> {
+    /// Shows it, with what can be made as long as there is a scene.
+    pub(crate) fn ui(&mut self, ctx: &Context, has_scene: bool, jobs: &mut Vec<Job>) -> Option<Asked> {
         let mut asked = None;
-        let (order, folder) = (&mut self.order, &self.folder);
+        let (order, folder) = (self.order.as_mut().filter(|_| has_scene), &self.folder);
         egui::Window::new("Render and export").open(&mut self.is_open).resizable(false).show(ctx, |ui| {
             match order {
                 Some(order) => order_ui(ui, order, folder, &mut asked),
