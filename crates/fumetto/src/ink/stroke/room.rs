@@ -6,8 +6,12 @@ use crate::{gpu::Gpu, shapes::mesh::MeshScene};
 /// million triangles are some thousands.
 const MOST_PIECES: u32 = 1 << 17;
 
-/// Joints there is room for, to a piece.
+/// Joints there is room for, to a piece of a list of many.
 const JOINTS: u32 = 2;
+/// Pieces of a list of few may be long: there is room for all of them to have as many joints as one may have (257 with
+/// its last, see `turn.wgsl`), up to so many joints. They follow 780,000 samples of line.
+const LONG_JOINTS: u32 = 257;
+const MOST_LONG_JOINTS: u32 = 1 << 17;
 
 /// Buffers of the kernels.
 #[derive(Debug)]
@@ -45,6 +49,11 @@ impl StrokeRoom {
         made.map(|contours| contours.count).fold(meshes.edges.count, u32::max).clamp(64, MOST_PIECES)
     }
 
+    /// Joints that there is room for beside so many pieces.
+    fn joints(pieces: u32) -> u32 {
+        (JOINTS * pieces).max((LONG_JOINTS * pieces).min(MOST_LONG_JOINTS))
+    }
+
     pub(super) fn new(gpu: &Gpu, pieces: u32) -> Self {
         let buffer = |label, bytes: u64, usage| {
             gpu.device.create_buffer(&wgpu::BufferDescriptor {
@@ -56,7 +65,8 @@ impl StrokeRoom {
         };
         let of_pieces =
             |label, bytes: u64| buffer(label, u64::from(pieces) * bytes, wgpu::BufferUsages::COPY_SRC);
-        let of_joints = |label, bytes: u64| of_pieces(label, u64::from(JOINTS) * bytes);
+        let joints = u64::from(Self::joints(pieces));
+        let of_joints = |label, bytes: u64| buffer(label, joints * bytes, wgpu::BufferUsages::COPY_SRC);
         let counts =
             wgpu::BufferUsages::INDIRECT | wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_SRC;
         let buckets = u64::from((4 * pieces).next_power_of_two());

@@ -289,6 +289,14 @@ fn lines_along_edges_end_at_corners_and_inside_nothing_is_drawn() {
     let seen = lines.iter().filter(|line| line.lengths_px()[1] > 0.9 * line.lengths_px()[0]).count();
     assert_eq!(seen, 9, "three meet at the corner that is farthest");
 
+    // Long lines have joints for all of their length, though there are few pieces.
+    let long = object.replace("scale = 0.5", "scale = 1.2");
+    let player = play(&mut engine, scene(&long, "texture = \"brush\""), &models);
+    let lines = self::lines(&mut engine, &player);
+    assert_eq!(lines.len(), 12, "no line is lost");
+    let joints: usize = lines.iter().map(|line| line.joints.len()).sum();
+    assert!(joints > 200, "{joints} joints");
+
     // All of a ball around the viewer faces them, or none.
     let around = format!(
         "{}shape = {{ surface = {{ threshold = 0.36, subdivisions = 24 }} }}",
