@@ -23,6 +23,18 @@ pub(super) fn has_obstacles(scene: &Scene) -> bool {
     scene.objects.iter().any(|object| matches!(&object.matter, Matter::Mesh(mesh) if mesh.obstacle))
 }
 
+/// The moments between which a model's movement says how fast it moves for `dt` from `time` on: within one turn of its
+/// animations, since between their last moment and their first it may be anywhere else.
+fn moving(duration: f64, (time, dt): (f64, f64)) -> [f64; 2] {
+    let begin = time.rem_euclid(duration);
+    // The last moment itself is the next turn's first.
+    let last = f64::from((duration as f32).next_down());
+    if !begin.is_finite() || begin + dt <= last {
+        return [time, time + dt];
+    }
+    [(last - dt).max(0.0), last]
+}
+
 /// All of them in the cells of a grid, as they are at `time` and move until `dt` later.
 fn voxels(
     objects: &[PlayedObject],
@@ -31,12 +43,15 @@ fn voxels(
 ) -> Result<Voxels, TooManyFacets> {
     let mut facets = Vec::new();
     for PlayedModel { mesh, model, .. } in obstacles(objects) {
-        let now = triangles_at(mesh, model, time as f32);
-        let soon = triangles_at(mesh, model, (time + dt) as f32);
-        facets.extend(now.into_iter().zip(soon).map(|(corners, next)| {
-            let shift = next.iter().sum::<Vec3>() - corners.iter().sum::<Vec3>();
-            Facet { corners, velocity: shift / (3.0 * dt as f32) }
-        }));
+        let at = |time: f64| triangles_at(mesh, model, time as f32);
+        let [from, to] = moving(model.duration_secs().into(), (time, dt));
+        let secs = (to - from) as f32;
+        facets.extend(at(time).into_iter().zip(at(from).into_iter().zip(at(to))).map(
+            |(corners, (before, after))| {
+                let shift = after.iter().sum::<Vec3>() - before.iter().sum::<Vec3>();
+                Facet { corners, velocity: shift / (3.0 * secs) }
+            },
+        ));
     }
     Voxels::new(plan, &facets)
 }
@@ -82,4 +97,20 @@ fn notes_on(name: &str, smoke: &Smoke, voxels: &Voxels, in_cells: impl Fn([f32; 
         }
     }
     notes
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_turn_of_animations_is_not_left() {
+        assert_eq!(moving(2.0, (0.5, 0.25)), [0.5, 0.75]);
+        assert_eq!(moving(2.0, (4.5, 0.25)), [4.5, 4.75]);
+        let [from, to] = moving(2.0, (5.875, 0.25));
+        assert!((from - 1.75).abs() < 1e-6 && (to - 2.0).abs() < 1e-6 && to < 2.0, "{from} to {to}");
+        let [from, to] = moving(0.1, (0.0, 0.25));
+        assert!(from == 0.0 && to < 0.1 && to > 0.09, "shorter than a step: {from} to {to}");
+        assert_eq!(moving(0.0, (1.0, 0.25)), [1.0, 1.25], "nothing moves");
+    }
 }
