@@ -1,10 +1,14 @@
 //! Obstacles in the air of one object, on the GPU.
 
+use glam::Vec3;
 use half::f16;
 use wgpu::util::DeviceExt as _;
 
 use super::{Moment, voxels::Voxels};
 use crate::gpu::{Frame, Gpu, Slot, kernels, shader};
+
+/// Nothing moves faster, in m/s: half floats end at 65504.
+const FASTEST: f32 = 6e4;
 
 /// The long-lived kernel.
 #[derive(Debug)]
@@ -34,15 +38,8 @@ impl Solids {
 
     /// Puts obstacles to where they are from the next step on.
     pub(crate) fn set(&self, frame: &mut Frame<'_>, voxels: &Voxels) {
-        let pack = |a: f32, b: f32| {
-            u32::from(f16::from_f32(a).to_bits()) | u32::from(f16::from_f32(b).to_bits()) << 16
-        };
-        let packed: Vec<[u32; 2]> = voxels
-            .velocities
-            .iter()
-            .zip(&voxels.distances)
-            .map(|(velocity, &distance)| [pack(velocity.x, velocity.y), pack(velocity.z, distance)])
-            .collect();
+        let cells = voxels.velocities.iter().zip(&voxels.distances);
+        let packed: Vec<[u32; 2]> = cells.map(|(&velocity, &distance)| packed(velocity, distance)).collect();
         let staging = frame.gpu.device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
             label: Some("particles.grid.solids.staging"),
             contents: bytemuck::cast_slice(&packed),
@@ -50,6 +47,15 @@ impl Solids {
         });
         frame.encoder.copy_buffer_to_buffer(&staging, 0, &self.cells, 0, staging.size());
     }
+}
+
+/// A cell as `solid.wgsl` reads it. What moves at no speed that there is stands still.
+fn packed(velocity: Vec3, distance: f32) -> [u32; 2] {
+    let [x, y, z] =
+        velocity.to_array().map(|speed| if speed.is_finite() { speed.clamp(-FASTEST, FASTEST) } else { 0.0 });
+    let pack =
+        |a: f32, b: f32| u32::from(f16::from_f32(a).to_bits()) | u32::from(f16::from_f32(b).to_bits()) << 16;
+    [pack(x, y), pack(z, distance)]
 }
 
 impl Hold {
@@ -67,5 +73,20 @@ impl Hold {
             let faces = moment.air.plan.cells.map(|count| count + 1);
             Moment::over_all(frame, "particles.grid.hold", &self.main, &bindings, faces);
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_speed_is_too_much_for_half_floats() {
+        let speeds = |velocity| {
+            let [xy, z] = packed(velocity, 1.0);
+            [xy, xy >> 16, z].map(|bits| f16::from_bits(bits as u16).to_f32())
+        };
+        assert_eq!(speeds(Vec3::new(0.5, -2.0, 3.0)), [0.5, -2.0, 3.0]);
+        assert_eq!(speeds(Vec3::new(1e9, f32::NAN, f32::NEG_INFINITY)), [6e4, 0.0, 0.0]);
     }
 }
