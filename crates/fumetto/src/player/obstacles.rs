@@ -62,7 +62,9 @@ pub(super) fn place(frame: &mut Frame<'_>, objects: &[PlayedObject], plume: &Plu
     if time == 0.0 || obstacles(objects).any(|played| played.model.is_animated()) {
         // At the start they were few enough; should they ever grow, they stay as they were.
         if let Ok(voxels) = voxels(objects, &air.plan, (time, dt)) {
-            air.solids.set(frame, &voxels);
+            // The steps before have what was there before; and what is written waits for one step only.
+            frame.flush("particles.obstacles");
+            air.solids.set(frame.gpu, &voxels);
         }
     }
 }

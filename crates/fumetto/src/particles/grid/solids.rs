@@ -2,7 +2,6 @@
 
 use glam::Vec3;
 use half::f16;
-use wgpu::util::DeviceExt as _;
 
 use super::{Moment, voxels::Voxels};
 use crate::gpu::{Frame, Gpu, Slot, kernels, shader};
@@ -36,16 +35,11 @@ impl Solids {
         Self { cells, are_there }
     }
 
-    /// Puts obstacles to where they are from the next step on.
-    pub(crate) fn set(&self, frame: &mut Frame<'_>, voxels: &Voxels) {
+    /// Puts obstacles to where they are from what is next submitted on.
+    pub(crate) fn set(&self, gpu: &Gpu, voxels: &Voxels) {
         let cells = voxels.velocities.iter().zip(&voxels.distances);
         let packed: Vec<[u32; 2]> = cells.map(|(&velocity, &distance)| packed(velocity, distance)).collect();
-        let staging = frame.gpu.device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
-            label: Some("particles.grid.solids.staging"),
-            contents: bytemuck::cast_slice(&packed),
-            usage: wgpu::BufferUsages::COPY_SRC,
-        });
-        frame.encoder.copy_buffer_to_buffer(&staging, 0, &self.cells, 0, staging.size());
+        gpu.queue.write_buffer(&self.cells, 0, bytemuck::cast_slice(&packed));
     }
 }
 
