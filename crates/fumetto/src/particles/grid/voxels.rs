@@ -9,7 +9,8 @@ const FARTHEST: f32 = 4.0;
 const LARGEST: f32 = 4.0;
 /// Rows are looked along a little beside the middles of cells, which edges of models like to meet; in cells.
 const ASIDE: [f32; 2] = [1.37e-3, 2.91e-3];
-/// Most meetings of triangles with rows of cells: some seconds of work.
+/// Most meetings of triangles with rows of cells, and as many of their pieces with cells near them: some seconds of
+/// work.
 const MOST_MEETINGS: u64 = 1 << 28;
 
 /// A triangle of an obstacle, and how fast it moves.
@@ -43,6 +44,8 @@ struct Nearest<'a> {
     cells: UVec3,
     which: Vec<u32>,
     square: Vec<f32>,
+    /// How often pieces of facets may still meet cells.
+    meetings: u64,
 }
 
 impl Voxels {
@@ -50,9 +53,9 @@ impl Voxels {
     pub(crate) fn new(plan: &GridPlan, facets: &[Facet]) -> Result<Self, TooManyFacets> {
         let facets: Vec<Facet> = facets.iter().map(|facet| in_cells(plan, facet)).collect();
         let cells = UVec3::from(plan.cells);
-        let (inside, leaks) = insides(cells, &facets)
-            .ok_or(TooManyFacets { triangles: facets.len(), cells: plan.cell_count() })?;
-        let nearest = Nearest::of(&facets, cells, &inside);
+        let too_many = TooManyFacets { triangles: facets.len(), cells: plan.cell_count() };
+        let (inside, leaks) = insides(cells, &facets).ok_or(too_many)?;
+        let nearest = Nearest::of(&facets, cells, &inside, MOST_MEETINGS).ok_or(too_many)?;
         let distance = |(&square, &inside): (&f32, &bool)| {
             let distance = square.sqrt().min(FARTHEST);
             if inside { -distance } else { distance }
@@ -138,26 +141,28 @@ fn crossing([a, b, c]: [Vec3; 3], [y, z]: [f32; 2]) -> Option<f32> {
 
 impl<'a> Nearest<'a> {
     /// Facets look for the cells near them; then cells that are inside, or near, ask their neighbours whose they are.
-    fn of(facets: &'a [Facet], cells: UVec3, inside: &[bool]) -> Self {
+    /// Nothing where that would take more than so many `meetings`.
+    fn of(facets: &'a [Facet], cells: UVec3, inside: &[bool], meetings: u64) -> Option<Self> {
         let count = inside.len();
-        let mut nearest =
-            Self { facets, cells, which: vec![u32::MAX; count], square: vec![f32::INFINITY; count] };
+        let (which, square) = (vec![u32::MAX; count], vec![f32::INFINITY; count]);
+        let mut nearest = Self { facets, cells, which, square, meetings };
         for (number, facet) in (0..).zip(facets) {
-            nearest.scatter(number, facet.corners);
+            nearest.scatter(number, facet.corners)?;
         }
         for _ in 0..2 {
             for forth in [true, false] {
                 nearest.sweep(forth, inside);
             }
         }
-        nearest
+        Some(nearest)
     }
 
     /// Cut into pieces that are small, as far as they are in the grid.
-    fn scatter(&mut self, number: u32, corners: [Vec3; 3]) {
+    fn scatter(&mut self, number: u32, corners: [Vec3; 3]) -> Option<()> {
         let mut pieces = vec![corners];
         let end = self.cells.as_vec3() + 1.0;
         while let Some([a, b, c]) = pieces.pop() {
+            self.meetings = self.meetings.checked_sub(1)?;
             let (low, high) = (a.min(b).min(c), a.max(b).max(c));
             if high.cmplt(Vec3::splat(-1.0)).any() || low.cmpgt(end).any() || !(high - low).is_finite() {
                 continue;
@@ -171,14 +176,17 @@ impl<'a> Nearest<'a> {
                     let middle = p.midpoint(q);
                     pieces.extend([[p, middle, other], [middle, q, other]]);
                 }
-                _ => self.reach(number, low, high),
+                _ => self.reach(number, low, high)?,
             }
         }
+        Some(())
     }
 
-    fn reach(&mut self, number: u32, low: Vec3, high: Vec3) {
+    fn reach(&mut self, number: u32, low: Vec3, high: Vec3) -> Option<()> {
         let first = (low - 1.5).max(Vec3::ZERO).as_uvec3();
         let last = (high + 1.5).max(Vec3::ZERO).as_uvec3().min(self.cells);
+        let reached = last.saturating_sub(first).to_array().map(u64::from).into_iter().product();
+        self.meetings = self.meetings.checked_sub(reached)?;
         for z in first.z..last.z {
             for y in first.y..last.y {
                 for x in first.x..last.x {
@@ -186,6 +194,7 @@ impl<'a> Nearest<'a> {
                 }
             }
         }
+        Some(())
     }
 
     fn offer(&mut self, cell: UVec3, number: u32) {
@@ -257,4 +266,20 @@ fn closest([a, b, c]: [Vec3; 3], p: Vec3) -> Vec3 {
     }
     let inverse = 1.0 / (va + vb + vc);
     a + ab * (vb * inverse) + ac * (vc * inverse)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn facets_that_reach_too_many_cells_are_refused() {
+        let cells = UVec3::splat(16);
+        // Few rows along x are met, many cells are near.
+        let corners = [Vec3::new(0.0, 8.0, 8.0), Vec3::new(16.0, 8.0, 8.0), Vec3::new(16.0, 8.5, 8.5)];
+        let facets = [Facet { corners, velocity: Vec3::ZERO }; 100];
+        let inside = vec![false; 16 * 16 * 16];
+        assert!(Nearest::of(&facets, cells, &inside, 100_000).is_some());
+        assert!(Nearest::of(&facets, cells, &inside, 10_000).is_none());
+    }
 }
