@@ -29,6 +29,7 @@ impl Scene {
     #[must_use]
     pub fn requirements(&self) -> Vec<ObjectCost> {
         let step_secs = self.time.step_secs();
+        let has_obstacles = self.has_obstacles();
         let cost = |object: &Object| {
             let particles = object.capacity(step_secs);
             let state_bytes = particles.map(|particles| particles.saturating_mul(PARTICLE_BYTES));
@@ -36,7 +37,7 @@ impl Scene {
             let surface = object.shape.surface().and_then(room);
             let details = object.details.iter().filter_map(|detail| room(&detail.surface)).collect();
             let vortices = object.vortices(step_secs);
-            let grid = object.grid_plan(step_secs);
+            let grid = object.grid_plan(step_secs).map(|plan| GridPlan { has_obstacles, ..plan });
             let volume = object.volume_room();
             ObjectCost {
                 name: object.name.clone(),

@@ -1,7 +1,7 @@
 //! How large the grid around smoke is, and in how many sub-steps its air moves.
 
 use crate::limits::{MAX_COARSEST_CELLS, MAX_GRID_CELLS};
-use crate::{Emitter, EmitterShape, Force, Grid, Smoke};
+use crate::{Emitter, EmitterShape, Force, Grid, Matter, Scene, Smoke};
 
 /// Cells that air may cross in a sub-step. The scheme stays stable beyond, but its limiter then flattens what it
 /// carries.
@@ -18,6 +18,10 @@ const VISCOUS: f32 = 0.125;
 /// More sub-steps are not made.
 pub const MAX_SUB_STEPS: u32 = 32;
 
+/// Bytes of what an obstacle is in a cell, and of an eddy.
+const SOLID_BYTES: u64 = 8;
+const EDDY_BYTES: u64 = 32;
+
 /// The box of cells that a smoke's air is in.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GridPlan {
@@ -31,6 +35,10 @@ pub struct GridPlan {
     pub sub_steps: u32,
     /// Of the pressure's multigrid in every sub-step.
     pub cycles: u32,
+    /// Vortex particles of all emitters.
+    pub eddies: u64,
+    /// Whether there is room for obstacles in every cell: only the scene tells (see [`Scene::has_obstacles`]).
+    pub has_obstacles: bool,
 }
 
 impl Smoke {
@@ -61,7 +69,15 @@ impl Smoke {
         let diffused = grid.viscosity * step_secs as f32 / (VISCOUS * (side * side) as f32);
         let sub_steps = crossed.max(diffused).ceil().clamp(1.0, MAX_SUB_STEPS as f32) as u32;
         let cycles = (grid.residual.ln() / CYCLE.ln()).ceil().clamp(1.0, MAX_CYCLES) as u32;
-        Some(GridPlan { origin, side: side as f32, cells, sub_steps, cycles })
+        let eddies = self.emitters.iter().map(|emitter| u64::from(self.eddies_of(emitter, step_secs))).sum();
+        Some(GridPlan { origin, side: side as f32, cells, sub_steps, cycles, eddies, has_obstacles: false })
+    }
+
+    /// Vortex particles that an emitter brings into the grid: no more than there are particles to ride on.
+    #[must_use]
+    pub fn eddies_of(&self, emitter: &Emitter, step_secs: f64) -> u32 {
+        let particles = u32::try_from(emitter.capacity(step_secs)).unwrap_or(u32::MAX);
+        self.grid.and_then(|grid| grid.eddies).map_or(0, |eddies| eddies.count.min(particles))
     }
 
     /// Lowest and highest corner of where smoke is likely to go: half as far as it would fly, be blown and be lifted,
@@ -124,6 +140,14 @@ impl Smoke {
     }
 }
 
+impl Scene {
+    /// Whether air has to go round any object.
+    #[must_use]
+    pub fn has_obstacles(&self) -> bool {
+        self.objects.iter().any(|object| matches!(&object.matter, Matter::Mesh(mesh) if mesh.obstacle))
+    }
+}
+
 impl GridPlan {
     /// Of them all.
     #[must_use]
@@ -161,9 +185,10 @@ impl GridPlan {
     #[must_use]
     pub fn bytes(&self) -> u64 {
         // Velocity now and after the step; heat with smoke likewise; what was corrected, pushes and vorticity; what
-        // pressure is and has to be; blocks.
+        // pressure is and has to be; blocks; obstacles; eddies.
         let (cells, faces) = (self.cell_count(), self.face_count());
-        6 * 4 * faces + 2 * 8 * cells + 3 * 8 * cells + 2 * 4 * self.level_cells() + cells / 64
+        let air = 6 * 4 * faces + 2 * 8 * cells + 3 * 8 * cells + 2 * 4 * self.level_cells() + cells / 64;
+        air + if self.has_obstacles { SOLID_BYTES * cells } else { 0 } + EDDY_BYTES * self.eddies
     }
 }
 

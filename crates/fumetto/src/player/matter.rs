@@ -5,7 +5,6 @@ use std::ops::Range;
 use fumetto_formats::{Model, ModelOptions, is_sequence, sequence_path};
 use fumetto_scene::{Given, Matter, Mesh, Object, Particle, Scene};
 
-use super::obstacles::has_obstacles;
 use crate::{
     Assets, Error,
     assets::{load_model, load_particles},
@@ -120,7 +119,7 @@ pub(super) fn play_matter(
         Matter::Smoke(smoke) => {
             let seed = seed_of(scene, index);
             notes.extend(note_on_sub_steps(object, scene.time.step_secs()));
-            let (step_secs, obstacles) = (scene.time.step_secs(), has_obstacles(scene));
+            let (step_secs, obstacles) = (scene.time.step_secs(), scene.has_obstacles());
             PlayedMatter::Smoke(Box::new(Plume::new(gpu, smoke, seed, step_secs, obstacles)))
         }
         Matter::Imported(imported) => {

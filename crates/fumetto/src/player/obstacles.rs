@@ -18,11 +18,6 @@ pub(super) fn obstacles(objects: &[PlayedObject]) -> impl Iterator<Item = &Playe
     })
 }
 
-/// Whether the scene has any.
-pub(super) fn has_obstacles(scene: &Scene) -> bool {
-    scene.objects.iter().any(|object| matches!(&object.matter, Matter::Mesh(mesh) if mesh.obstacle))
-}
-
 /// The moments between which a model's movement says how fast it moves for `dt` from `time` on: within one turn of its
 /// animations, since between their last moment and their first it may be anywhere else.
 fn moving(duration: f64, (time, dt): (f64, f64)) -> [f64; 2] {

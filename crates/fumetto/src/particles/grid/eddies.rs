@@ -46,7 +46,7 @@ impl Riders {
         let mut groups: Vec<EddiesUniform> = Vec::with_capacity(smoke.emitters.len());
         let mut all = 0;
         for emitter in &smoke.emitters {
-            let group = group(emitter, eddies, all, step_secs);
+            let group = group(smoke, emitter, (eddies, all), step_secs);
             all += group.count;
             groups.push(group);
         }
@@ -63,15 +63,14 @@ impl Riders {
     }
 }
 
-/// No more than there are particles to ride on.
-fn group(emitter: &Emitter, eddies: Eddies, first: u32, step_secs: f64) -> EddiesUniform {
+fn group(smoke: &Smoke, emitter: &Emitter, (eddies, first): (Eddies, u32), step_secs: f64) -> EddiesUniform {
     let particles = u32::try_from(emitter.capacity(step_secs)).unwrap_or(u32::MAX);
     let (_, center, extent, _) = shape_uniform(emitter.shape);
     let along_line =
         if matches!(emitter.shape, fumetto_scene::EmitterShape::Line { .. }) { 0.5 } else { 0.0 };
     EddiesUniform {
         first,
-        count: eddies.count.min(particles),
+        count: smoke.eddies_of(emitter, step_secs),
         all: 0,
         particles,
         center: center.truncate() + along_line * extent.truncate(),
