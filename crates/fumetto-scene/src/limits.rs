@@ -41,6 +41,10 @@ pub const MAX_LIGHTS: usize = 8;
 /// Most tones in a ramp (Álvarez draws with 32).
 pub const MAX_TONES: usize = 32;
 
+/// Most pictures that strokes are drawn with: with the named textures they fill an array of 256 layers, which is
+/// WebGPU's default.
+pub const MAX_STROKE_PICTURES: usize = 251;
+
 /// Most colours that a volume's puffs choose from.
 pub const MAX_COLOURS: usize = 8;
 

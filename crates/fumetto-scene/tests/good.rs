@@ -592,6 +592,26 @@ fn strokes_begin_with_what_their_texture_brings() {
 }
 
 #[test]
+fn strokes_have_as_many_pictures_as_fit_an_array() {
+    let scene = |kinds: &[&str]| {
+        let object = |number: usize| {
+            let pen = |kind: &&str| format!("{kind} = {{ stroke = {{ texture = \"{kind}{number}.png\" }} }}");
+            let pens = kinds.iter().map(pen).collect::<Vec<_>>().join(", ");
+            format!(
+                "[[object]]\nname = \"{number}\"\nkind = \"cloud\"\nstyle = {{ ink = {{ {pens} }} }}\n\
+                 particles = [{{ center = [0, 5, 0], radius = 1 }}]\n"
+            )
+        };
+        let objects: String = (0..63).map(object).collect();
+        load(&format!("format = 1\ncamera = {{ eye = [0, 1, 5], target = [0, 0, 0] }}\n{objects}"))
+    };
+    let kinds = ["silhouette", "crease", "boundary", "material"];
+    assert_eq!(scene(&kinds[1..]).unwrap().0.stroke_pictures().len(), 3 * 63);
+    let refused = scene(&kinds).unwrap_err().render(false);
+    assert!(refused.contains("252 pictures") && refused.contains("at most 251"), "{refused}");
+}
+
+#[test]
 fn a_surfaces_cells_are_as_large_as_asked_for() {
     // From -1 to 4 along x.
     for (keys, cell_m) in [

@@ -7,7 +7,7 @@ use super::{
     paint::{enough_room, looks},
 };
 use crate::file::{BackgroundFile, CameraFile, LightFile, SceneFile, TimeFile};
-use crate::limits::{MAX_LIGHTS, MAX_OBJECTS, MIN_DIRECTION, MIN_UP_SINE};
+use crate::limits::{MAX_LIGHTS, MAX_OBJECTS, MAX_STROKE_PICTURES, MIN_DIRECTION, MIN_UP_SINE};
 use crate::{Background, Camera, Light, LightKind, Object, Output, Scene, Time};
 
 /// The scene that `file` describes.
@@ -42,7 +42,7 @@ pub(crate) fn scene(at: &At<'_>, file: &SceneFile, styles: &mut Styles<'_>) -> S
         at.key("object").warning("no-object", "the scene has no object, so nothing is drawn".into(), help);
     }
     let output = Output { size: file.output.size, antialias: file.output.antialias };
-    Scene {
+    let scene = Scene {
         seed: file.seed,
         cameras: cameras(&at.key("camera"), file),
         lights: lights(&at.key("light"), &file.light),
@@ -50,6 +50,19 @@ pub(crate) fn scene(at: &At<'_>, file: &SceneFile, styles: &mut Styles<'_>) -> S
         time,
         output,
         objects,
+    };
+    few_pictures(&at.key("object"), &scene);
+    scene
+}
+
+/// Refuses more pictures for strokes than there is room for.
+fn few_pictures(at: &At<'_>, scene: &Scene) {
+    let count = scene.stroke_pictures().len();
+    if count > MAX_STROKE_PICTURES {
+        let message = format!(
+            "strokes are drawn with {count} pictures, but at most {MAX_STROKE_PICTURES} are allowed in a scene"
+        );
+        at.error("too-many", message, "let some strokes share a `texture`");
     }
 }
 

@@ -1,4 +1,6 @@
-use crate::Width;
+use std::collections::BTreeSet;
+
+use crate::{Ink, Object, Scene, Width};
 
 /// What is drawn along a line, as a hand would: textured polygons (Álvarez et al. 2007, section 4).
 ///
@@ -108,5 +110,25 @@ impl Stroke {
             StrokeTexture::File(_) => Self { taper: 2.0, ..plain },
         };
         Self { texture, ..changed }
+    }
+}
+
+impl Scene {
+    /// How lines of all objects are drawn, in all looks.
+    pub fn inks(&self) -> impl Iterator<Item = &Ink> {
+        let looks = self.styled_looks().flat_map(|styles| styles.iter().take(self.objects.len()));
+        self.objects.iter().flat_map(Object::inks).chain(looks.map(|style| &style.ink))
+    }
+
+    /// The pictures that any of them are drawn with.
+    #[must_use]
+    pub fn stroke_pictures(&self) -> BTreeSet<&str> {
+        let strokes = self.inks().flat_map(Ink::strokes);
+        strokes
+            .filter_map(|stroke| match &stroke.texture {
+                StrokeTexture::File(path) => Some(path.as_str()),
+                _ => None,
+            })
+            .collect()
     }
 }

@@ -3,9 +3,7 @@
 use std::collections::BTreeMap;
 
 use fumetto_formats::Image;
-use fumetto_scene::{
-    Background, Ink, InkMethod, Matter, Object, Ramp, RampImage, Scene, StrokeTexture, Style,
-};
+use fumetto_scene::{Background, Ink, InkMethod, Matter, Object, Ramp, RampImage, Scene, Style};
 
 use crate::{
     Assets, Error,
@@ -101,24 +99,12 @@ pub(super) fn load_backdrop(gpu: &Gpu, scene: &Scene, assets: &dyn Assets) -> Re
 
 /// Whether any lines are drawn as strokes, in any look.
 pub(super) fn has_strokes(scene: &Scene) -> bool {
-    inks(scene).any(Ink::has_strokes)
-}
-
-/// How lines of all objects are drawn, in all looks.
-pub(super) fn inks(scene: &Scene) -> impl Iterator<Item = &Ink> {
-    let looks = (0..scene.objects.len()).flat_map(|object| scene.styles_of(object));
-    scene.objects.iter().flat_map(Object::inks).chain(looks.map(|style| &style.ink))
+    scene.inks().any(Ink::has_strokes)
 }
 
 pub(super) fn load_strokes(gpu: &Gpu, scene: &Scene, assets: &dyn Assets) -> Result<StrokeTextures, Error> {
-    let mut images = BTreeMap::new();
-    for stroke in inks(scene).flat_map(Ink::strokes) {
-        if let StrokeTexture::File(path) = &stroke.texture
-            && !images.contains_key(path)
-        {
-            images.insert(path.clone(), load_image(assets, path)?);
-        }
-    }
+    let load = |path: &str| Ok((path.to_owned(), load_image(assets, path)?));
+    let images = scene.stroke_pictures().into_iter().map(load).collect::<Result<_, Error>>()?;
     Ok(StrokeTextures::new(gpu, &images))
 }
 

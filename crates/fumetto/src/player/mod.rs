@@ -37,7 +37,7 @@ use crate::{
     },
     tone::Backdrop,
 };
-use looks::{crease_degs, exaggerated_scales, has_strokes, inks, load_backdrop, load_strokes, wants_shell};
+use looks::{crease_degs, exaggerated_scales, has_strokes, load_backdrop, load_strokes, wants_shell};
 use matter::{note_on_nothing, play_matter, play_mesh, seed_of};
 use paints::notes_on_paint;
 use puffs::{atlas, check_room, place, variants_of};
@@ -224,7 +224,7 @@ impl Player {
             Shape::Surface(surface) => surface.drifts(),
             Shape::Volume(volume) => volume.drifts(),
         };
-        let boils = inks(&self.scene).flat_map(Ink::strokes).any(|stroke| stroke.boil > 0);
+        let boils = self.scene.inks().flat_map(Ink::strokes).any(|stroke| stroke.boil > 0);
         let stands = |object: &PlayedObject| match &object.matter {
             PlayedMatter::Still(_) => !drifts(&self.scene.objects[object.placement.object as usize]),
             PlayedMatter::Sequence(..)

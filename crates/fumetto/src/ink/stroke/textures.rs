@@ -4,7 +4,7 @@
 use std::collections::BTreeMap;
 
 use fumetto_formats::Image;
-use fumetto_scene::StrokeTexture;
+use fumetto_scene::{StrokeTexture, limits::MAX_STROKE_PICTURES};
 
 use super::paper::{TOOTH_SIDE, tooth, value_noise};
 use crate::gpu::Gpu;
@@ -15,8 +15,10 @@ const SIZE: [u32; 2] = [1024, 64];
 /// Heights along a named texture: bristles leave long streaks.
 const LENGTH: f32 = 32.0;
 
-/// Most textures from files: an array has 256 layers by WebGPU's default.
-const MOST_FILES: usize = 256 - StrokeTexture::NAMED.len();
+const _: () = assert!(
+    StrokeTexture::NAMED.len() + MAX_STROKE_PICTURES <= 256,
+    "WebGPU's default for layers of an array"
+);
 
 /// All textures of a scene's strokes, and the paper that they are drawn on.
 #[derive(Debug)]
@@ -31,16 +33,11 @@ impl StrokeTextures {
     /// The named ones, and `images` from files.
     pub(crate) fn new(gpu: &Gpu, images: &BTreeMap<String, Image>) -> Self {
         let named = StrokeTexture::NAMED.map(|(_, texture)| painted(&texture));
-        let layers: Vec<_> =
-            named.into_iter().chain(images.values().take(MOST_FILES).map(resampled)).collect();
+        let layers: Vec<_> = named.into_iter().chain(images.values().map(resampled)).collect();
         Self {
             strokes: upload(gpu, "ink.stroke.textures", SIZE, &layers),
             tooth: upload(gpu, "ink.stroke.tooth", [TOOTH_SIDE; 2], &[tooth()]),
-            files: images
-                .iter()
-                .take(MOST_FILES)
-                .map(|(path, image)| (path.clone(), proportion(image)))
-                .collect(),
+            files: images.iter().map(|(path, image)| (path.clone(), proportion(image))).collect(),
         }
     }
 
