@@ -197,4 +197,12 @@ fn confinement_and_eddies_make_air_turn_more() {
         turning("cells = 32, confinement = 0, eddies = { count = 30, radius = 0.12, strength = 4 }");
     assert!(confined > 1.05 * plain, "{confined} and {plain}");
     assert!(eddying > 1.05 * plain, "{eddying} and {plain}");
+    // As many in the same place push as much more: none is left out.
+    let crowd = |count: u32| {
+        turning(&format!(
+            "cells = 32, confinement = 0, eddies = {{ count = {count}, radius = 0.3, strength = 1 }}"
+        ))
+    };
+    let (some, many) = (crowd(75), crowd(300));
+    assert!(many > 1.5 * some, "{many} and {some}");
 }
