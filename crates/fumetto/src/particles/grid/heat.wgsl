@@ -1,5 +1,6 @@
-// Heat and smoke, carried by the velocity as that is itself (see `guess.wgsl` and `correct.wgsl`); then they fade,
-// and sources bring new ones. Where nothing is busy there is neither.
+// Heat and smoke, carried by the velocity in two steps as that is itself (see `guess.wgsl` and `correct.wgsl`), but for
+// what is out of range: velocity is clamped, these stay as guessed. `feed.wgsl` then fades them and brings new ones.
+// Where nothing is busy there is neither.
 
 @group(0) @binding(0) var<uniform> grid: Grid;
 @group(0) @binding(1) var<storage, read> u: array<f32>;
