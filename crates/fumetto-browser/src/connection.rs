@@ -1,11 +1,10 @@
 //! The `DevTools` protocol: JSON with a zero byte after each message, over the browser's inherited files 3 and 4.
 
 use std::{
-    collections::VecDeque,
     env,
     fs::{self, File},
     io::{self, BufRead as _, BufReader, Write as _},
-    path::{Path, PathBuf},
+    path::PathBuf,
     process::{Child, ChildStdin, ChildStdout, Command, Stdio},
     sync::mpsc::{self, Receiver, RecvTimeoutError},
     thread,
@@ -20,8 +19,13 @@ use crate::BrowserError;
 /// Longest that one answer may take: `SwiftShader` compiles all pipelines within one.
 const PATIENCE: Duration = Duration::from_secs(120);
 
-/// Programs that are Chromium, in the order in which they are looked for.
-const NAMES: [&str; 4] = ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable"];
+/// Time for a browser that was asked to end, and between two looks at whether it has.
+const FAREWELL: Duration = Duration::from_secs(10);
+const GLANCE: Duration = Duration::from_millis(20);
+
+/// Programs that are Chromium, in the order in which they are looked for; scripts/setup.sh asks for the same. The last
+/// may be a script of Ubuntu's that only tells of a snap.
+const NAMES: [&str; 4] = ["chromium", "google-chrome", "google-chrome-stable", "chromium-browser"];
 
 /// `WebGPU` on the processor, and nothing that asks or updates.
 const FLAGS: [&str; 9] = [
@@ -37,41 +41,39 @@ const FLAGS: [&str; 9] = [
     "--use-vulkan=swiftshader",
 ];
 
+/// A browser's process; it does not outlive this.
+struct Process(Child);
+
 /// A running browser.
 pub(crate) struct Connection {
-    process: Child,
+    process: Process,
     requests: ChildStdin,
     messages: Receiver<Value>,
-    events: VecDeque<Value>,
     last_id: u64,
+    // It leaves its folder alone once it has gone: this is dropped after the process.
     folder: TempDir,
 }
 
 impl Connection {
-    /// Starts the browser with a window of `size`.
-    pub(crate) fn open([width, height]: [u32; 2]) -> Result<Self, BrowserError> {
+    /// Starts the browser.
+    pub(crate) fn open() -> Result<Self, BrowserError> {
         let folder = tempfile::tempdir()?;
         // A shell brings standard input and output to where the browser expects them.
-        let mut process = Command::new("sh")
+        let process = Command::new("sh")
             .args(["-c", r#"exec "$@" 3<&0 4>&1 1>&2"#, "sh"])
             .arg(program()?)
             .args(FLAGS)
-            .arg(format!("--window-size={width},{height}"))
             .arg(format!("--user-data-dir={}", folder.path().join("profile").display()))
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())
             .stderr(File::create(folder.path().join("log"))?)
             .spawn()?;
-        let (Some(requests), Some(answers)) = (process.stdin.take(), process.stdout.take()) else {
+        let mut process = Process(process);
+        let (Some(requests), Some(answers)) = (process.0.stdin.take(), process.0.stdout.take()) else {
             return Err(BrowserError::Missing);
         };
         let messages = listen(answers)?;
-        Ok(Self { process, requests, messages, events: VecDeque::new(), last_id: 0, folder })
-    }
-
-    /// A folder that lives as long as the browser.
-    pub(crate) fn folder(&self) -> &Path {
-        self.folder.path()
+        Ok(Self { process, requests, messages, last_id: 0, folder })
     }
 
     /// Asks for `method` and waits for the answer.
@@ -97,21 +99,14 @@ impl Connection {
                 return Err(BrowserError::TooLate { what: method.to_owned(), secs: PATIENCE.as_secs() });
             };
             if message["id"] != self.last_id {
-                self.events.push_back(message);
-            } else if let Some(error) = message["error"]["message"].as_str() {
+                // It tells of many things unasked.
+                continue;
+            }
+            if let Some(error) = message["error"]["message"].as_str() {
                 let message = error.to_owned();
                 return Err(BrowserError::Refused { method: method.to_owned(), message });
-            } else {
-                return Ok(message["result"].take());
             }
-        }
-    }
-
-    /// The next thing that the browser tells unasked, until `deadline`.
-    pub(crate) fn event(&mut self, deadline: Instant) -> Result<Option<Value>, BrowserError> {
-        match self.events.pop_front() {
-            Some(event) => Ok(Some(event)),
-            None => self.next(deadline),
+            return Ok(message["result"].take());
         }
     }
 
@@ -124,7 +119,7 @@ impl Connection {
     }
 
     fn ended(&self) -> BrowserError {
-        let log = fs::read_to_string(self.folder().join("log")).unwrap_or_default();
+        let log = fs::read_to_string(self.folder.path().join("log")).unwrap_or_default();
         let lines: Vec<&str> = log.lines().collect();
         BrowserError::Ended(lines[lines.len().saturating_sub(8)..].join("\n"))
     }
@@ -132,11 +127,23 @@ impl Connection {
 
 impl Drop for Connection {
     fn drop(&mut self) {
-        // It leaves its folder alone once it has gone.
         if self.call(None, "Browser.close", &json!({})).is_err() {
-            self.process.kill().ok();
+            self.process.0.kill().ok();
         }
-        self.process.wait().ok();
+    }
+}
+
+impl Drop for Process {
+    fn drop(&mut self) {
+        let deadline = Instant::now() + FAREWELL;
+        while Instant::now() < deadline {
+            if !matches!(self.0.try_wait(), Ok(None)) {
+                return;
+            }
+            thread::sleep(GLANCE);
+        }
+        self.0.kill().ok();
+        self.0.wait().ok();
     }
 }
 
