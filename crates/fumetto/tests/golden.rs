@@ -1,7 +1,7 @@
 //! The scenes in `scenes/` against pictures that somebody has looked at.
 //!
 //! Pictures are blessed on lavapipe, `UPDATE_GOLDEN=1 cargo test -p fumetto --test golden`, and compared
-//! on lavapipe only; elsewhere the tests are skipped, unless `FUMETTO_GOLDEN_REQUIRED=1` forbids that.
+//! on lavapipe only; elsewhere the tests are skipped, unless `FUMETTO_GOLDEN_REQUIRED` is set, which forbids that.
 #![expect(clippy::unwrap_used, reason = "a test that cannot set up should stop")]
 
 use std::{
