@@ -2,6 +2,7 @@
 # Sees to it that Fumetto can be built and run here, and installs what is missing.
 #
 #   scripts/setup.sh            to build and to draw: Rust, a linker, a Vulkan driver
+#   scripts/setup.sh --window   also what the editor's window needs
 #   scripts/setup.sh --lint     also what `make lint` needs
 #   scripts/setup.sh --tests    also what `make test` needs
 #
@@ -58,9 +59,12 @@ need_linker() {
             "Install gcc or clang with this system's package manager."
 }
 
+has_library() {
+    existing "/usr/lib/$1" "/usr/lib64/$1" /usr/lib/*/"$1" /lib/*/"$1" "/usr/local/lib/$1" >/dev/null
+}
+
 has_vulkan() {
-    existing /usr/lib/libvulkan.so.1 /usr/lib64/libvulkan.so.1 /usr/lib/*/libvulkan.so.1 \
-        /lib/*/libvulkan.so.1 /usr/local/lib/libvulkan.so.1 >/dev/null || return 1
+    has_library libvulkan.so.1 || return 1
     [ -n "${VK_DRIVER_FILES:-}${VK_ICD_FILENAMES:-}" ] ||
         existing /usr/share/vulkan/icd.d/*.json /etc/vulkan/icd.d/*.json >/dev/null
 }
@@ -84,24 +88,59 @@ need_python() {
             "Install Python 3 with its venv module."
 }
 
-need_chromium() {
-    command -v chromium >/dev/null || command -v chromium-browser >/dev/null || command -v google-chrome >/dev/null ||
-        need "the tests ask a browser's own compiler about shaders" "chromium" "Install Chromium or Chrome."
+# Where crates/fumetto-browser looks for it.
+has_chromium() {
+    local name program
+    for name in chromium google-chrome google-chrome-stable chromium-browser; do
+        program=$(command -v "$name") || continue
+        # Ubuntu's package of that name is a script that asks for the snap.
+        if [ -x /snap/bin/chromium ] || ! grep -qs 'requires the chromium snap' "$program"; then
+            return 0
+        fi
+    done
+    return 1
 }
 
-# What the editor's window asks for at run time, which a server does not have.
+need_chromium() {
+    if [ -n "${FUMETTO_CHROMIUM:-}" ]; then
+        [ -x "$FUMETTO_CHROMIUM" ] || stop "FUMETTO_CHROMIUM is '$FUMETTO_CHROMIUM', which is no program."
+        return
+    fi
+    has_chromium && return
+    local reason="the tests ask a browser's own compiler about shaders"
+    if grep -qsx 'ID=ubuntu' /etc/os-release; then
+        stop "$reason, and Ubuntu has Chromium as a snap only: 'sudo snap install chromium', or install the
+package of Chrome from https://www.google.com/chrome, or name another Chromium in FUMETTO_CHROMIUM."
+    fi
+    need "$reason" "chromium" "Install Chromium or Chrome, or name its program in FUMETTO_CHROMIUM."
+}
+
+# What the editor's window asks an X server with at run time, which a machine without a desktop does not have.
+need_window() {
+    local library
+    for library in libX11-xcb.so.1 libXcursor.so.1 libXi.so.6 libxkbcommon-x11.so.0; do
+        if ! has_library "$library"; then
+            need "the editor's window needs $library" "libx11-xcb1 libxcursor1 libxi6 libxkbcommon-x11-0" \
+                "Install it (Fedora: libX11-xcb libXcursor libXi libxkbcommon-x11; Arch: libxcursor libxi
+libxkbcommon-x11)."
+            return
+        fi
+    done
+}
+
 need_display() {
     command -v Xvfb >/dev/null ||
-        need "the tests open the editor's window on a display that nobody sees" \
-            "xvfb libx11-xcb1 libxcursor1 libxi6 libxkbcommon-x11-0" "Install Xvfb (Fedora: xorg-x11-server-Xvfb)."
+        need "the tests open the editor's window on a display that nobody sees" "xvfb" \
+            "Install Xvfb (Fedora: xorg-x11-server-Xvfb; Arch: xorg-server-xvfb)."
 }
 
-lint="" tests=""
+window="" lint="" tests=""
 for argument in "$@"; do
     case "$argument" in
+        --window) window=yes ;;
         --lint) lint=yes ;;
         --tests) tests=yes ;;
-        *) stop "setup.sh knows --lint and --tests, but not '$argument'" ;;
+        *) stop "setup.sh knows --window, --lint and --tests, but not '$argument'" ;;
     esac
 done
 
@@ -110,6 +149,8 @@ need_rust
 if [ "$(uname -s)" = Linux ]; then
     need_linker
     need_vulkan
-    [ -z "$tests" ] || { need_lavapipe && need_display && need_chromium; }
+    # A Wayland desktop has what it needs; the tests use an X server everywhere.
+    [ -z "$window" ] || [ -n "${WAYLAND_DISPLAY:-}" ] || need_window
+    [ -z "$tests" ] || { need_lavapipe && need_window && need_display && need_chromium; }
 fi
 [ -z "$lint" ] || { need_rust_tools && need_python; }
