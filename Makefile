@@ -10,7 +10,7 @@ demo: ## Install what is missing, build, and draw a picture and an animation int
 	@scripts/demo.sh
 
 edit: ## Build the editor and open it, with SCENE=file if one is named.
-	@scripts/edit.sh $(SCENE)
+	@scripts/edit.sh "$(SCENE)"
 
 test: ## Run all checks and all tests, as CI does.
 	@scripts/test.sh

@@ -15,6 +15,7 @@ fn commands_and_scenes_are_needed() {
     refused(&["draw"], &["draw"]);
     refused(&["render", "smoke.toml"], &["--output"]);
     refused(&["render", "-o", "a.png"], &["SCENE"]);
+    refused(&["edit", "-"], &["standard input", "name a scene's file"]);
 }
 
 #[test]
