@@ -15,6 +15,8 @@ fi
 
 images=docs/images
 mkdir -p "$images"
+temporary=$(mktemp -d)
+trap 'rm -rf "$temporary"' EXIT
 
 # draw SCENE NAME FLAGS...: scenes/SCENE.toml to NAME, a .png or .gif.
 draw() {
@@ -56,8 +58,7 @@ draw smoke-sketch smoke-sketch.png --frame 150 "${large[@]}"
 draw chimney chimney.gif --frames 144..191 --size 320x180
 
 # The first scene of README.md, as it stands there, and two ways for its smoke to end.
-first=$(mktemp)
-trap 'rm -f "$first"' EXIT
+first="$temporary/first.toml"
 sed -n '/^```toml$/,/^```$/{/^```/!p;}' README.md >"$first"
 "$fumetto" render "$first" -o "$images/first.png" "${small[@]}"
 "$fumetto" render "$first" -o "$images/dissolve-opacity.png" "${small[@]}" \
@@ -152,11 +153,10 @@ draw edges edges-hidden.png --size 480x360 --set style.ink.hidden=dashed
 draw strokes strokes.png "${large[@]}"
 
 # The editor, as its tests meet it.
-shots=$(mktemp -d)
-FUMETTO_LOOK="$shots" cargo test --locked --workspace --test flows view
-mv "$shots/comic.png" "$images/editor.png"
-mv "$shots/dragged.png" "$images/editor-handles.png"
-mv "$shots/chimney.png" "$images/editor-smoke.png"
+FUMETTO_LOOK="$temporary" cargo test --locked --package fumetto-editor --test flows view
+mv "$temporary/comic.png" "$images/editor.png"
+mv "$temporary/dragged.png" "$images/editor-handles.png"
+mv "$temporary/chimney.png" "$images/editor-smoke.png"
 
 # The puffs' sprites: atlas.normal.png and its kin.
 "$fumetto" export scenes/cumulus.toml -o "$images/atlas.png"
