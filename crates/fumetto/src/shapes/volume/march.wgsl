@@ -17,6 +17,9 @@ const SPENT: f32 = 0.001;
 // Steps to a cell, at most: finer ones show nothing more.
 const FINEST: f32 = 16.0;
 
+// Steps along a line of sight, at most: single floats count as many. Default steps through the widest box are fewer.
+const MOST_STEPS: f32 = 4194304.0;
+
 struct Marched {
     // Of the surface: puff + 1, bits of the depth, normal, and colour. 0 where there is none.
     @location(0) hit: vec4u,
@@ -160,7 +163,7 @@ fn fragment(@builtin(position) position: vec4f) -> Marched {
     let stretch = length(sight.way);
     let cells = length(sight.ray);
     let wanted = select(recipe.step_m / stretch, recipe.step_cells / cells, recipe.step_m == 0.0);
-    let step = max(wanted, 1.0 / (FINEST * cells));
+    let step = max(max(wanted, 1.0 / (FINEST * cells)), (sight.end - sight.begin) / MOST_STEPS);
     // Neighbouring tiles of a picture share one pattern.
     let offset = sampled_at(position.xy + view.first_px);
     let everywhere = light_everywhere();

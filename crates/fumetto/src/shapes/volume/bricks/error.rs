@@ -1,6 +1,8 @@
 use fumetto_scene::limits::MAX_VOLUME_BYTES;
 use thiserror::Error;
 
+use super::map::{MAX_ACROSS, MAX_TABLE_BYTES};
+
 /// Why a volume that was read cannot be drawn.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum ImportError {
@@ -36,8 +38,9 @@ pub enum ImportError {
     },
     /// Its matter is too far apart.
     #[error(
-        "its matter lies in a box of {} x {} x {} voxels, of which a table of {bytes} bytes would tell where matter \
-         is, and {MAX_VOLUME_BYTES} are allowed: split it into several files", sides[0], sides[1], sides[2]
+        "its matter lies in a box of {} x {} x {} voxels, where a table of {bytes} bytes would tell where matter is; \
+         {MAX_ACROSS} voxels a side and {MAX_TABLE_BYTES} bytes are allowed: split it into several files",
+        sides[0], sides[1], sides[2]
     )]
     TooWide {
         /// Of the box, in voxels.

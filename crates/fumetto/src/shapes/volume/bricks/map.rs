@@ -22,6 +22,12 @@ const NODE_VOXELS: i32 = NODE * BRICK_SIDE;
 /// Bricks of a node.
 const IN_NODE: usize = (NODE * NODE * NODE) as usize;
 
+/// Voxels that a ray may go along an axis: beyond, single floats neither place them well nor count its steps.
+pub(super) const MAX_ACROSS: u64 = 1 << 20;
+
+/// Bytes of the table of nodes.
+pub(super) const MAX_TABLE_BYTES: u64 = MAX_VOLUME_BYTES / 4;
+
 /// Bricks that are looked at, at most.
 const MAX_LOOKED_AT: u64 = 1 << 23;
 
@@ -86,8 +92,9 @@ impl BrickMap {
             [0, 1, 2].map(|axis| origins.iter().map(|origin| node(origin[axis]) + 1).max().unwrap_or(0));
         let nodes = [0, 1, 2].map(|axis| (high[axis] - low[axis]) as u64);
         let bytes = nodes.iter().fold(4, |bytes: u64, &side| bytes.saturating_mul(side));
-        if bytes > MAX_VOLUME_BYTES / 4 {
-            return Err(ImportError::TooWide { sides: nodes.map(|side| side * NODE_VOXELS as u64), bytes });
+        let sides = nodes.map(|side| side * NODE_VOXELS as u64);
+        if bytes > MAX_TABLE_BYTES || sides.iter().any(|&side| side > MAX_ACROSS) {
+            return Err(ImportError::TooWide { sides, bytes });
         }
         let corner = DVec3::from(low.map(|node| (node * i64::from(NODE_VOXELS)) as f64));
         let map = Self {

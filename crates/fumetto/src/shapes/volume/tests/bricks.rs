@@ -151,6 +151,29 @@ fn three_voxels_in_a_box_of_a_trillion_take_little() {
 }
 
 #[test]
+fn a_row_of_a_million_voxels_is_seen_along_it_and_a_wider_one_is_refused() {
+    let row = |length: i32| {
+        let mut all = Voxels::from_dense([0; 3], [1; 3], 1, &[1.0], [0.0; 3]).expect("one voxel");
+        for x in [length / 2, length] {
+            let one = Voxels::from_dense([x, 0, 0], [1; 3], 1, &[1.0], [0.0; 3]).expect("one voxel");
+            all.bricks.extend(one.bricks);
+            all.values.extend(one.values);
+        }
+        // Of 20 cm and along the camera's way, the one in the middle at the origin.
+        let along = DMat4::from_rotation_y(std::f64::consts::FRAC_PI_2) * DMat4::from_scale(DVec3::splat(0.2));
+        let middle = DMat4::from_translation(DVec3::new(f64::from(-length / 2), 0.0, 0.0));
+        vdb(&[grid("density", all, along * middle)])
+    };
+    // However short steps are asked for, they come to an end.
+    for step in ["extinction = 100", "extinction = 100, step = 1e-6"] {
+        let soft = seen(row(1_000_000), "", "", step);
+        assert!(opacity(&soft, SIDE / 2, SIDE / 2) > 0.9, "the camera sees the one before it with {step}");
+    }
+    let error = play(row(2_000_000), "", "", "").map(drop).expect_err("it is too wide").to_string();
+    assert!(error.contains("2000256 x 256 x 256 voxels, where"), "{error}");
+}
+
+#[test]
 fn heat_colours_matter_and_makes_it_glow() {
     let density = grid("smoke", voxels(16, |_| 1.0), DMat4::IDENTITY);
     let heat = grid("flame", voxels(16, |index| if index.x > 7.5 { 3.0 } else { 1.0 }), DMat4::IDENTITY);
