@@ -103,22 +103,31 @@ fn check_sequence(at: &At<'_>, read: &ReadFile) {
 }
 
 /// Refuses shapes that such a volume cannot have, and keys that only shapes of particles have.
-pub(super) fn check_shape(at: &At<'_>, shape: Option<&ShapeFile>) {
-    match shape {
-        Some(ShapeFile::Puffs(_) | ShapeFile::Surface(_)) => {
+pub(super) fn check_shape(at: &At<'_>, file: &ObjectFile) {
+    let at_shape = at.key("shape");
+    let (shape, keys): (_, &[&str]) = match &file.shape {
+        Some(ShapeFile::Puffs(_)) => {
             let message = "a volume out of a file has no particles to be drawn like that".to_owned();
-            at.error("wrong-shape", message, "write shape = { volume = {} }, or leave `shape` out");
+            let help = "write shape = { volume = {} } or shape = { surface = {} }, or leave `shape` out";
+            return at_shape.error("wrong-shape", message, help);
         }
-        Some(ShapeFile::Volume(_)) => {
-            for key in ["profile", "edge", "size", "noise", "cells"] {
-                let at = at.key("volume").key(key);
-                if at.exists() {
-                    let message = format!("`{key}` is for puffs, and this volume is read from a file");
-                    at.error("wrong-kind", message, "leave it out: the file tells where matter is");
-                }
+        Some(ShapeFile::Surface(_)) => {
+            let at_heat = at.key("volume").key("heat");
+            if at_heat.exists() {
+                let help = "leave it out, or write shape = { volume = {} }";
+                at_heat.error("wrong-kind", "`heat` is not seen on a surface".to_owned(), help);
             }
+            ("surface", &["size", "per_radius", "detail"])
         }
-        None => {}
+        Some(ShapeFile::Volume(_)) => ("volume", &["profile", "edge", "size", "noise", "cells"]),
+        None => return,
+    };
+    for key in keys {
+        let at = at_shape.key(shape).key(key);
+        if at.exists() {
+            let message = format!("`{key}` is for particles, and this volume is read from a file");
+            at.error("wrong-kind", message, "leave it out: the file tells where matter is");
+        }
     }
 }
 

@@ -29,7 +29,7 @@ pub(super) fn object(
     let (at_shape, shape_file) = (at.key("shape"), file.shape.as_ref());
     let is_imported = file.kind == ObjectKind::Volume;
     if is_imported {
-        check_shape(&at_shape, shape_file);
+        check_shape(at, file);
     }
     let shape = shape(&at_shape, shape_file, is_imported, style.height_px);
     let object = Object {

@@ -5,13 +5,18 @@ use crate::{Detail, Noise, Puffs, Resolution, Shape, Style, Surface};
 /// Cells along the longest side, unless the file says how fine.
 const SUBDIVISIONS: u32 = 48;
 
+/// Where a surface lies, unless the file says so: of particles, and of a volume out of a file.
+const THRESHOLDS: [f32; 2] = [0.05, 0.5];
+
 /// Lengths in pixels are meant for a picture `height_px` high. What is imported is a volume unless it says
 /// otherwise.
 pub(super) fn shape(at: &At<'_>, file: Option<&ShapeFile>, is_imported: bool, height_px: f32) -> Shape {
     match file {
         Some(ShapeFile::Volume(file)) => Shape::Volume(volume(&at.key("volume"), file, is_imported)),
         Some(ShapeFile::Puffs(file)) => Shape::Puffs(puffs(&at.key("puffs"), *file)),
-        Some(ShapeFile::Surface(file)) => Shape::Surface(surface(&at.key("surface"), file, height_px)),
+        Some(ShapeFile::Surface(file)) => {
+            Shape::Surface(surface(&at.key("surface"), file, is_imported, height_px))
+        }
         None if is_imported => Shape::Volume(volume(&at.key("volume"), &VolumeFile::default(), is_imported)),
         None => Shape::Puffs(puffs(&at.key("puffs"), PuffsFile::default())),
     }
@@ -27,11 +32,11 @@ fn puffs(at: &At<'_>, file: PuffsFile) -> Puffs {
     Puffs { variants, seed, spheres, tile_px: tile, size }
 }
 
-fn surface(at: &At<'_>, file: &SurfaceFile, height_px: f32) -> Surface {
+fn surface(at: &At<'_>, file: &SurfaceFile, is_imported: bool, height_px: f32) -> Surface {
     let pixels = file.pixels.map(|px| px / height_px);
     let choices = choices(file.subdivisions, file.cell, file.per_radius, pixels);
     Surface {
-        threshold: file.threshold,
+        threshold: file.threshold.unwrap_or(THRESHOLDS[usize::from(is_imported)]),
         resolution: resolution(at, "surface", choices).unwrap_or(Resolution::Subdivisions(SUBDIVISIONS)),
         size: file.size,
         noise: file.noise.map(noise),

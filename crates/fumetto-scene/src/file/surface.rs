@@ -4,14 +4,15 @@ use serde::{Deserialize, Serialize};
 use super::InkFile;
 use crate::limits;
 
-/// One closed skin round all particles: where their densities add up to the threshold.
+/// One closed skin round all particles, where their densities add up to the threshold; or round what is denser in a
+/// volume out of a file.
 #[derive(Clone, Debug, Deserialize, JsonSchema, PartialEq, Serialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct SurfaceFile {
     /// The density at which the surface lies, above 0. A particle's density is its mass in its middle and
-    /// falls to 0 at its radius. Default 0.05.
+    /// falls to 0 at its radius. Default 0.05, and of a volume out of a file 0.5.
     #[schemars(transform = &limits::MASS)]
-    pub threshold: f32,
+    pub threshold: Option<f32>,
     /// How many cells the surface is sampled with along the object's longest side, 1 to 512. Default 48.
     #[schemars(transform = &limits::SUBDIVISIONS)]
     pub subdivisions: Option<u32>,
@@ -37,7 +38,7 @@ pub struct SurfaceFile {
 impl Default for SurfaceFile {
     fn default() -> Self {
         Self {
-            threshold: 0.05,
+            threshold: None,
             subdivisions: None,
             cell: None,
             per_radius: None,

@@ -42,6 +42,7 @@ pub(super) const PROGRAMS: Programs = &[
         &[
             "shapes/volume/recipe",
             "shapes/volume/walk",
+            "shapes/volume/bricks/brick",
             "shapes/volume/bricks/bricks",
             "light/lights",
             "shapes/volume/transmit",
@@ -70,6 +71,7 @@ pub(super) const PROGRAMS: Programs = &[
             "gpu/octahedral",
             "shapes/volume/recipe",
             "shapes/volume/walk",
+            "shapes/volume/bricks/brick",
             "shapes/volume/bricks/bricks",
             "shapes/volume/bricks/numbers",
             "light/lights",

@@ -1,7 +1,7 @@
 //! Volumes out of files, as they are played.
 
 use fumetto_formats::{FormatError, Volume, is_sequence, read_raw_volume, read_volume, sequence_path};
-use fumetto_scene::{Imported, Particle};
+use fumetto_scene::{Imported, Particle, Shape};
 
 use crate::{
     Assets, Error,
@@ -16,15 +16,34 @@ pub(crate) struct PlayedVolume {
     pub(crate) imported: Imported,
     /// Of a sequence, which file it is.
     number: u32,
-    /// Cells of light along its longest side, and the radius of its lobes where the scene says it.
-    detail: (u32, Option<f32>),
+    detail: Detail,
     pub(crate) field: BrickField,
-    /// Balls of the size of lobes.
-    pub(crate) lobes: Vec<Particle>,
+    /// Balls that stand for it where particles are asked for: lobes, or of a surface what covers it.
+    pub(crate) balls: Vec<Particle>,
+    /// The largest density in it.
+    pub(super) peak: f32,
+}
+
+/// What a shape asks of a volume.
+#[derive(Clone, Copy, Debug)]
+struct Detail {
+    /// Cells of light along its longest side.
+    light_cells: u32,
+    /// Radius of its lobes, where the scene says it.
+    lobe_m: Option<f32>,
+    is_surface: bool,
+}
+
+impl Detail {
+    fn of(shape: &Shape) -> Self {
+        let (light_cells, lobe_m) =
+            shape.volume().map_or((1, None), |volume| (volume.light_cells, volume.lobe_m));
+        Self { light_cells, lobe_m, is_surface: shape.surface().is_some() }
+    }
 }
 
 /// How much a volume out of a file holds.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct ImportedSize {
     /// Voxels with any matter.
     pub voxels: u64,
@@ -32,6 +51,8 @@ pub struct ImportedSize {
     pub bricks: u32,
     /// Bytes of the bricks and of the table that finds them.
     pub bytes: u64,
+    /// Balls that cover it: what a surface is planned with.
+    pub cover: Vec<Particle>,
 }
 
 impl PlayedVolume {
@@ -41,13 +62,24 @@ impl PlayedVolume {
         assets: &dyn Assets,
         imported: &Imported,
         frame: u32,
-        detail: (u32, Option<f32>),
+        shape: &Shape,
+        notes: &mut Vec<String>,
+    ) -> Result<Self, Error> {
+        Self::at(gpu, assets, imported, (frame, Detail::of(shape)), notes)
+    }
+
+    fn at(
+        gpu: &Gpu,
+        assets: &dyn Assets,
+        imported: &Imported,
+        (frame, detail): (u32, Detail),
         notes: &mut Vec<String>,
     ) -> Result<Self, Error> {
         let (number, imported) = (imported.number_at(frame), imported.clone());
-        let map = map(assets, &imported, frame, detail.1, notes)?;
-        let field = field(gpu, &map, &imported, (frame, detail.0))?;
-        Ok(Self { imported, number, detail, field, lobes: map.lobes })
+        let map = map(assets, &imported, frame, detail.lobe_m, notes)?;
+        let field = field(gpu, &map, &imported, (frame, detail.light_cells))?;
+        let balls = if detail.is_surface { map.cover } else { map.lobes };
+        Ok(Self { imported, number, detail, field, balls, peak: map.peak })
     }
 
     /// Reads the file for the scene's `frame`, if it is another: whether it is.
@@ -56,7 +88,7 @@ impl PlayedVolume {
         if number == self.number || !self.is_sequence() {
             return Ok(false);
         }
-        *self = Self::new(gpu, assets, &self.imported, frame, self.detail, &mut Vec::new())?;
+        *self = Self::at(gpu, assets, &self.imported, (frame, self.detail), &mut Vec::new())?;
         Ok(true)
     }
 
@@ -71,7 +103,7 @@ impl PlayedVolume {
 /// When its file is missing or broken, or holds too much.
 pub fn imported_size(assets: &dyn Assets, imported: &Imported, frame: u32) -> Result<ImportedSize, Error> {
     let map = map(assets, imported, frame, None, &mut Vec::new())?;
-    Ok(ImportedSize { voxels: map.voxels, bricks: map.bricks(), bytes: map.bytes() })
+    Ok(ImportedSize { voxels: map.voxels, bricks: map.bricks(), bytes: map.bytes(), cover: map.cover })
 }
 
 fn map(

@@ -11,7 +11,12 @@ use crate::{
     gpu::Gpu,
     morph::Tracks,
     particles::Plume,
-    shapes::{mesh::Geometry, puffs::Placement, surface::peak_of_nothing, volume::MAX_LOBES},
+    shapes::{
+        mesh::Geometry,
+        puffs::Placement,
+        surface::{is_outside, peak_of_nothing},
+        volume::MAX_LOBES,
+    },
 };
 
 use super::imported::PlayedVolume;
@@ -123,9 +128,7 @@ pub(super) fn play_matter(
             PlayedMatter::Smoke(Box::new(Plume::new(gpu, smoke, seed, step_secs, obstacles)))
         }
         Matter::Imported(imported) => {
-            let detail =
-                object.shape.volume().map_or((1, None), |volume| (volume.light_cells, volume.lobe_m));
-            let volume = PlayedVolume::new(gpu, assets, imported, first_frame, detail, notes)?;
+            let volume = PlayedVolume::new(gpu, assets, imported, first_frame, &object.shape, notes)?;
             PlayedMatter::Imported(Box::new(volume))
         }
         Matter::Paint(_) => PlayedMatter::Paint,
@@ -143,14 +146,18 @@ fn note_on_sub_steps(object: &Object, step_secs: f64) -> Option<String> {
     ))
 }
 
-/// Says so where a cloud is too thin for its surface.
+/// Says so where a cloud or a volume is too thin for its surface.
 pub(super) fn note_on_nothing(object: &Object, matter: &PlayedMatter) -> Option<String> {
-    let (Some(surface), PlayedMatter::Still(particles)) = (object.shape.surface(), matter) else {
-        return None;
+    let surface = object.shape.surface()?;
+    let (what, peak) = match matter {
+        PlayedMatter::Still(particles) => ("particles are", peak_of_nothing(surface, particles)?),
+        PlayedMatter::Imported(volume) if !volume.is_sequence() && is_outside(surface, volume.peak) => {
+            ("voxels are", volume.peak)
+        }
+        _ => return None,
     };
-    let peak = peak_of_nothing(surface, particles)?;
     Some(format!(
-        "the surface of `{}` is empty: its particles are at most about {peak} dense, and its `threshold` is {}",
+        "the surface of `{}` is empty: its {what} at most about {peak} dense, and its `threshold` is {}",
         object.name, surface.threshold
     ))
 }

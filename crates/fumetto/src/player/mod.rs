@@ -255,6 +255,7 @@ impl Player {
                 PlayedMatter::Imported(volume) => {
                     if volume.seek(gpu, &*self.assets, frame)? {
                         self.volumes.renew(number, volume.field.clone());
+                        self.surfaces.renew(number, &volume.field);
                     }
                 }
                 PlayedMatter::Paint
@@ -302,7 +303,7 @@ impl Player {
             match &object.matter {
                 PlayedMatter::Sequence(_, particles) => self.upload(gpu, object, particles),
                 PlayedMatter::Morph(tracks) => self.upload(gpu, object, &tracks.at(self.secs(frame))),
-                PlayedMatter::Imported(volume) => self.upload(gpu, object, &volume.lobes),
+                PlayedMatter::Imported(volume) => self.upload(gpu, object, &volume.balls),
                 PlayedMatter::Still(_)
                 | PlayedMatter::Smoke(_)
                 | PlayedMatter::Model(_)

@@ -1,6 +1,6 @@
 //! Surfaces, made of puffs that have their places, and room for their triangles.
 
-use fumetto_scene::{EdgeKind, Ink, InkMethod, Matter, Object, Scene, Surface, SurfacePlan};
+use fumetto_scene::{EdgeKind, Ink, InkMethod, Matter, Object, Particle, Scene, Surface, SurfacePlan};
 
 use super::{PlayedMatter, PlayedObject};
 use crate::{
@@ -10,6 +10,7 @@ use crate::{
     shapes::{
         mesh::Geometry,
         surface::{SurfaceObject, SurfaceScene},
+        volume::MAX_LOBES,
     },
 };
 
@@ -41,6 +42,22 @@ fn plan(scene: &Scene, object: &Object, surface: &Surface, matter: &PlayedMatter
         (PlayedMatter::Smoke(_), Matter::Smoke(smoke)) => {
             Some(surface.plan_smoke(smoke, scene.time.step_secs()))
         }
+        (PlayedMatter::Imported(volume), _) if volume.is_sequence() => {
+            let mut plan = surface.plan_sequence(&volume.balls);
+            // Other files may be covered by more.
+            plan.room.particles = MAX_LOBES;
+            Some(plan)
+        }
+        (PlayedMatter::Imported(volume), _) => Some(surface.plan(&volume.balls)),
+        _ => None,
+    }
+}
+
+/// What never moves, of a surface that does not change either.
+fn still<'a>(surface: &Surface, matter: &'a PlayedMatter) -> Option<&'a [Particle]> {
+    match matter {
+        PlayedMatter::Still(particles) if !surface.drifts() => Some(particles),
+        PlayedMatter::Imported(volume) if !surface.drifts() && !volume.is_sequence() => Some(&volume.balls),
         _ => None,
     }
 }
@@ -62,12 +79,13 @@ pub(super) fn surfaces(
         let Some(plan) = plan(scene, object, &surface, &played.matter) else { continue };
         let first = played.placement.first;
         let puffs = first..first + played.capacity;
-        let still = match &played.matter {
-            PlayedMatter::Still(particles) if !surface.drifts() => Some(particles.as_slice()),
+        let still = still(&surface, &played.matter);
+        let bricks = match &played.matter {
+            PlayedMatter::Imported(volume) => Some(&volume.field),
             _ => None,
         };
         let scales = [surface.size / played.placement.size, mass];
-        let surface = SurfaceObject { surface, scales, plan, puffs, still };
+        let surface = SurfaceObject { object: number, surface, scales, plan, puffs, still, bricks };
         surface.check(gpu).map_err(|source| Error::Surface { object: object.name.clone(), source })?;
         surfaces.push(surface);
     }

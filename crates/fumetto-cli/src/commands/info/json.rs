@@ -63,7 +63,7 @@ fn object_json(object: &Object, load: &Load) -> Value {
         "volume": load.volume.map(|room| json!({
             "cells": room.cells, "light_cells": room.light_cells, "bytes": room.bytes(),
         })),
-        "imported": load.imported.map(|size| json!({
+        "imported": load.imported.as_ref().map(|size| json!({
             "voxels": size.voxels, "bricks": size.bricks, "bytes": size.bytes,
         })),
         "paint": load.paint.map(|room| json!({ "volumes": room.volumes, "bytes": room.bytes })),

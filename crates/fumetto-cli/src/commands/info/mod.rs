@@ -64,11 +64,7 @@ struct PaintRoom {
 
 impl Load {
     fn of_file(object: &Object, path: &str, particles: &[Particle]) -> Self {
-        let room = |surface: &Surface| {
-            let plan =
-                if is_sequence(path) { surface.plan_sequence(particles) } else { surface.plan(particles) };
-            plan.room
-        };
+        let room = |surface: &Surface| planned(surface, path, particles);
         let surface = object.shape.surface().map(room);
         let details = object.details.iter().map(|detail| room(&detail.surface)).collect();
         let volume = object
@@ -97,7 +93,7 @@ impl Load {
         let details =
             self.details.iter().map(SurfaceRoom::bytes).fold(self.surface_bytes(), u64::saturating_add);
         let puffs = self.volume.map_or(0, |room| room.bytes());
-        let volume = puffs.saturating_add(self.imported.map_or(0, |size| size.bytes));
+        let volume = puffs.saturating_add(self.imported.as_ref().map_or(0, |size| size.bytes));
         self.particles
             .saturating_mul(PARTICLE_BYTES)
             .saturating_add(vortex_bytes(self.vortices))
@@ -106,6 +102,12 @@ impl Load {
             .saturating_add(volume)
             .saturating_add(self.paint.map_or(0, |room| room.bytes))
     }
+}
+
+/// Room for a surface of particles that a file tells.
+fn planned(surface: &Surface, path: &str, particles: &[Particle]) -> SurfaceRoom {
+    let plan = if is_sequence(path) { surface.plan_sequence(particles) } else { surface.plan(particles) };
+    plan.room
 }
 
 /// What each object holds.
@@ -135,7 +137,8 @@ fn loads(scene: &Scene, folder: &SceneFolder) -> anyhow::Result<Vec<Load>> {
         }
         Matter::Imported(imported) => {
             let size = imported_size(folder, imported, scene.time.frames[0])?;
-            Ok(Load { imported: Some(size), ..Load::default() })
+            let room = |surface: &Surface| planned(surface, &imported.file, &size.cover);
+            Ok(Load { surface: object.shape.surface().map(room), imported: Some(size), ..Load::default() })
         }
         Matter::Paint(paint) => {
             let (volumes, bytes) = (paint.volumes(), paint.bytes());

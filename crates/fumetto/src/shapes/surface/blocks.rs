@@ -33,10 +33,9 @@ impl Blocks {
         Self { classify, enlist, dispatch }
     }
 
-    /// Lists the active blocks in their own order.
-    pub(super) fn record(&self, frame: &mut Frame<'_>, job: Job<'_>, scan: &Scan) {
+    /// Tells of each block whether the surface may cross it.
+    pub(super) fn classify(&self, frame: &mut Frame<'_>, job: Job<'_>) {
         let Job { recipe, room, work, .. } = job;
-        let all = workgroups(room.blocks);
         let bindings = [
             recipe,
             &work.lattice,
@@ -49,12 +48,17 @@ impl Blocks {
             &work.tally,
         ]
         .map(wgpu::Buffer::as_entire_binding);
-        frame.compute("shapes.surface.classify", &self.classify, &bindings, all);
+        frame.compute("shapes.surface.classify", &self.classify, &bindings, workgroups(room.blocks));
+    }
+
+    /// Lists the active blocks in their own order.
+    pub(super) fn list(&self, frame: &mut Frame<'_>, job: Job<'_>, scan: &Scan) {
+        let Job { recipe, room, work, .. } = job;
         scan.words(frame, room.blocks, [&work.crossed, &work.runs, &work.slots]);
         let bindings =
             [recipe, &work.lattice, &work.crossed, &work.slots, &work.kept, &work.states, &work.active]
                 .map(wgpu::Buffer::as_entire_binding);
-        frame.compute("shapes.surface.enlist", &self.enlist, &bindings, all);
+        frame.compute("shapes.surface.enlist", &self.enlist, &bindings, workgroups(room.blocks));
         let bindings = [&work.lattice, &work.dispatch].map(wgpu::Buffer::as_entire_binding);
         frame.compute("shapes.surface.dispatch", &self.dispatch, &bindings, [1, 1, 1]);
     }

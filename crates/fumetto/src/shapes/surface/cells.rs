@@ -20,13 +20,18 @@ impl Cells {
         Self { signs, cells }
     }
 
-    /// Samples the field, sorts cells into cases, and numbers vertices and triangles.
-    pub(super) fn record(&self, frame: &mut Frame<'_>, job: Job<'_>, scan: &Scan) {
-        let Job { recipe, room, noisy, work, .. } = job;
+    /// Samples the field.
+    pub(super) fn signs(&self, frame: &mut Frame<'_>, job: Job<'_>) {
+        let Job { recipe, noisy, work, .. } = job;
         let bindings =
             [recipe, &work.lattice, &work.blobs, &work.starts, &work.entries, &work.active, &work.signs]
                 .map(wgpu::Buffer::as_entire_binding);
         frame.compute_indirect("shapes.surface.signs", self.signs.get(noisy), &bindings, &work.dispatch);
+    }
+
+    /// Sorts cells into cases, and numbers vertices and triangles.
+    pub(super) fn sort(&self, frame: &mut Frame<'_>, job: Job<'_>, scan: &Scan) {
+        let Job { recipe, room, work, .. } = job;
         let bindings = [
             recipe,
             &work.lattice,

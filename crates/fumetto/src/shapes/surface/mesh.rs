@@ -29,11 +29,17 @@ impl Meshing {
         Self { counters, vertices, careful, triangles }
     }
 
-    pub(super) fn record(&self, frame: &mut Frame<'_>, job: Job<'_>, mesh: &Reserved) {
-        let Job { recipe, noisy, work, .. } = job;
+    /// Tells how large the mesh becomes.
+    pub(super) fn count(&self, frame: &mut Frame<'_>, job: Job<'_>, mesh: &Reserved) {
+        let Job { recipe, work, .. } = job;
         let bindings = [recipe, &work.lattice, &work.mesh_starts, &mesh.counters, &work.chunks, &work.hard]
             .map(wgpu::Buffer::as_entire_binding);
         frame.compute("shapes.surface.counters", &self.counters, &bindings, [1, 1, 1]);
+    }
+
+    /// Writes the vertices.
+    pub(super) fn vertices(&self, frame: &mut Frame<'_>, job: Job<'_>, mesh: &Reserved) {
+        let Job { recipe, noisy, work, .. } = job;
         let bindings = [
             recipe.as_entire_binding(),
             work.lattice.as_entire_binding(),
@@ -47,6 +53,11 @@ impl Meshing {
         ];
         frame.compute_indirect("shapes.surface.vertices", self.vertices.get(noisy), &bindings, &work.chunks);
         frame.compute_indirect("shapes.surface.careful", self.careful.get(noisy), &bindings, &work.hard);
+    }
+
+    /// Writes the triangles.
+    pub(super) fn triangles(&self, frame: &mut Frame<'_>, job: Job<'_>, mesh: &Reserved) {
+        let Job { recipe, work, .. } = job;
         let bindings = [
             recipe.as_entire_binding(),
             work.lattice.as_entire_binding(),

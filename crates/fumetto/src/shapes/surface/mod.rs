@@ -25,6 +25,9 @@
 //! **Every run gives the same bytes**: lists are in no order, and what is summed over them are whole numbers
 //! (`units.wgsl`); vertices and triangles come in the order of blocks and cells.
 //!
+//! **Files** tell a density, too. Balls that cover their bricks of voxels stand for them until the lattice is laid; from
+//! there on the bricks are asked in place of particles (`bricks.rs`).
+//!
 //! **What does not fit** is never written out of bounds. Cells are made larger until blocks and lists fit,
 //! which keeps the surface closed; vertices and triangles beyond their room are left out. Either is told in
 //! the mesh's counters.
@@ -33,6 +36,7 @@ mod adjacent;
 mod bins;
 mod blocks;
 mod bounds;
+mod bricks;
 mod buffers;
 mod cells;
 mod mesh;
@@ -50,7 +54,7 @@ mod size;
 #[cfg(test)]
 mod tests;
 
-pub(crate) use peak::peak_of_nothing;
+pub(crate) use peak::{is_outside, peak_of_nothing};
 pub(crate) use refusal::{SurfaceTooLarge, shortage};
 pub(crate) use scene::{SurfaceObject, SurfaceScene};
 pub(crate) use sight::Sight;
@@ -75,6 +79,7 @@ pub(crate) struct Surface {
     regions: regions::Regions,
     bins: bins::Bins,
     blocks: blocks::Blocks,
+    bricks: bricks::Bricks,
     cells: cells::Cells,
     meshing: mesh::Meshing,
     adjacent: adjacent::Adjacent,
@@ -89,6 +94,7 @@ impl Surface {
             regions: regions::Regions::new(gpu),
             bins: bins::Bins::new(gpu),
             blocks: blocks::Blocks::new(gpu),
+            bricks: bricks::Bricks::new(gpu),
             cells: cells::Cells::new(gpu),
             meshing: mesh::Meshing::new(gpu),
             adjacent: adjacent::Adjacent::new(gpu),
@@ -115,10 +121,25 @@ impl Surface {
             self.order.record(frame, job, &self.scan);
         }
         self.regions.record(frame, job, &self.scan);
-        self.bins.record(frame, job, &self.scan);
-        self.blocks.record(frame, job, &self.scan);
-        self.cells.record(frame, job, &self.scan);
-        self.meshing.record(frame, job, mesh);
+        match &recipe.bricks {
+            Some(field) => self.bricks.classify(frame, job, field),
+            None => {
+                self.bins.record(frame, job, &self.scan);
+                self.blocks.classify(frame, job);
+            }
+        }
+        self.blocks.list(frame, job, &self.scan);
+        match &recipe.bricks {
+            Some(field) => self.bricks.signs(frame, job, field),
+            None => self.cells.signs(frame, job),
+        }
+        self.cells.sort(frame, job, &self.scan);
+        self.meshing.count(frame, job, mesh);
+        match &recipe.bricks {
+            Some(field) => self.bricks.vertices(frame, job, field, mesh),
+            None => self.meshing.vertices(frame, job, mesh),
+        }
+        self.meshing.triangles(frame, job, mesh);
         if let Some(adjacent) = &mesh.adjacent {
             self.adjacent.record(frame, job, adjacent);
         }

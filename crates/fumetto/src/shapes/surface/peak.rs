@@ -32,8 +32,8 @@ fn density_at(place: Vec3, surface: &Surface, particles: &[Particle]) -> f32 {
     densities.sum()
 }
 
-/// As `surely_outside` of `blocks.wgsl`.
-fn is_outside(surface: &Surface, density: f32) -> bool {
+/// Whether no place of such a density is inside. As `surely_outside` of `blocks.wgsl`.
+pub(crate) fn is_outside(surface: &Surface, density: f32) -> bool {
     let share = (density / surface.threshold).min(1.0);
     let amplitude = surface.noise.map_or(0.0, |noise| noise.amplitude);
     share + amplitude * share * (2.0 - share) < 1.0

@@ -4,7 +4,7 @@ use fumetto_scene::{Noise, Spacing, Surface, SurfaceRoom};
 use glam::Vec3;
 
 use super::{bins::sharers, sight::Sight};
-use crate::shapes::mesh::Reserved;
+use crate::shapes::{mesh::Reserved, volume::BrickField};
 
 /// What is made of an object's puffs.
 #[derive(Clone, Debug)]
@@ -21,6 +21,8 @@ pub(crate) struct Recipe {
     /// From where it is seen, where cells are lengths on the picture.
     pub(crate) sight: Option<Sight>,
     pub(crate) noise: Option<Noise>,
+    /// Where a file tells the density: the puffs only cover it.
+    pub(crate) bricks: Option<BrickField>,
 }
 
 /// Octaves beyond this are smaller than a rounding error.
@@ -69,7 +71,7 @@ impl Recipe {
         spacing: Spacing,
     ) -> Self {
         let (threshold, noise) = (surface.threshold, surface.noise);
-        Self { puffs, threshold, radius_scale, mass_scale, spacing, sight: None, noise }
+        Self { puffs, threshold, radius_scale, mass_scale, spacing, sight: None, noise, bricks: None }
     }
 
     /// Of the moment `secs`.

@@ -7,12 +7,14 @@ use super::{
 };
 use crate::{
     gpu::{Frame, Gpu, GpuError},
-    shapes::mesh::MeshScene,
+    shapes::{mesh::MeshScene, volume::BrickField},
 };
 
 /// One object that is drawn as a surface.
 #[derive(Clone, Debug)]
 pub(crate) struct SurfaceObject<'a> {
+    /// Its number in the scene.
+    pub(crate) object: usize,
     pub(crate) surface: fumetto_scene::Surface,
     /// Of the puffs' radii and masses.
     pub(crate) scales: [f32; 2],
@@ -21,6 +23,8 @@ pub(crate) struct SurfaceObject<'a> {
     pub(crate) puffs: Range<u32>,
     /// Its particles, if it never moves: its surface is made but once for the same cells.
     pub(crate) still: Option<&'a [Particle]>,
+    /// Where a file tells the density: the puffs only cover it.
+    pub(crate) bricks: Option<&'a BrickField>,
 }
 
 /// All surfaces of a scene, in the order in which the scene's meshes have room for them.
@@ -32,6 +36,7 @@ pub(crate) struct SurfaceScene {
 
 #[derive(Debug)]
 struct Made {
+    object: usize,
     recipe: Recipe,
     room: SurfaceRoom,
     /// Of what never moves.
@@ -69,7 +74,11 @@ impl SurfaceScene {
     pub(crate) fn new(gpu: &Gpu, objects: &[SurfaceObject<'_>]) -> Self {
         let room = objects.iter().map(|object| object.plan.room).reduce(SurfaceRoom::or);
         let surfaces = objects.iter().map(|object| Made {
-            recipe: Recipe::new(&object.surface, object.scales, object.puffs.clone(), object.plan.spacing),
+            object: object.object,
+            recipe: Recipe {
+                bricks: object.bricks.cloned(),
+                ..Recipe::new(&object.surface, object.scales, object.puffs.clone(), object.plan.spacing)
+            },
             room: object.plan.room,
             balls: object.still.map(|still| Balls::new(&object.surface, object.scales[1], still)),
             made: Cell::new(None),
@@ -87,6 +96,14 @@ impl SurfaceScene {
             sizes.push(SurfaceSize::read(gpu, mesh, surface.room).await?);
         }
         Ok(sizes)
+    }
+
+    /// Puts what another file holds in the place of an object's density.
+    pub(crate) fn renew(&mut self, object: usize, field: &BrickField) {
+        for surface in self.surfaces.iter_mut().filter(|surface| surface.object == object) {
+            surface.recipe.bricks = Some(field.clone());
+            surface.made.set(None);
+        }
     }
 
     /// Whatever moves is no more what it was.

@@ -2,6 +2,7 @@
 
 mod adjacent;
 mod apart;
+mod bricks;
 mod figures;
 mod limits;
 mod merging;
@@ -65,6 +66,7 @@ fn recipe(count: usize, threshold: f32, cell_m: f32) -> Recipe {
         spacing: Spacing::Cell(cell_m),
         sight: None,
         noise: None,
+        bricks: None,
     }
 }
 

@@ -28,9 +28,11 @@ struct BrickGrid {
 /// Bricks, the table that finds them, and the light in them.
 #[derive(Clone, Debug)]
 pub(crate) struct BrickField {
-    pub(in crate::shapes::volume) grid: wgpu::Buffer,
-    pub(in crate::shapes::volume) table: wgpu::Buffer,
-    pub(in crate::shapes::volume) atlas: wgpu::Texture,
+    pub(in crate::shapes) grid: wgpu::Buffer,
+    pub(in crate::shapes) table: wgpu::Buffer,
+    pub(in crate::shapes) atlas: wgpu::Texture,
+    /// The least and the most density of each brick.
+    pub(in crate::shapes) extremes: wgpu::Buffer,
     /// How much of each light that throws shadows comes through.
     pub(in crate::shapes::volume) transmitted: wgpu::Texture,
     pub(in crate::shapes::volume) light_sides: [u32; 3],
@@ -68,6 +70,7 @@ impl BrickField {
             })
         };
         let table: &[u32] = if map.table.is_empty() { &[0] } else { &map.table };
+        let extremes: &[[f32; 2]] = if map.extremes.is_empty() { &[[0.0; 2]] } else { &map.extremes };
         let written = wgpu::TextureUsages::STORAGE_BINDING | wgpu::TextureUsages::TEXTURE_BINDING;
         let halves =
             if map.has_heat { wgpu::TextureFormat::Rg16Float } else { wgpu::TextureFormat::R16Float };
@@ -76,6 +79,7 @@ impl BrickField {
         let field = Self {
             grid: buffer("shapes.volume.bricks.grid", bytemuck::bytes_of(&grid)),
             table: buffer("shapes.volume.bricks.table", bytemuck::cast_slice(table)),
+            extremes: buffer("shapes.volume.bricks.extremes", bytemuck::cast_slice(extremes)),
             atlas: texture(gpu, "shapes.volume.bricks.atlas", sides, (halves, read)),
             transmitted: texture(
                 gpu,

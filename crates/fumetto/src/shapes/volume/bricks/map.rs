@@ -9,6 +9,7 @@ use half::f16;
 
 use super::{
     ImportError,
+    cover::cover,
     lobes::Lobes,
     samples::{IN_BRICK, SIDE, Samples},
 };
@@ -40,15 +41,19 @@ pub(crate) struct BrickMap {
     pub(super) table: Vec<u32>,
     /// Half floats: a density, and where there is heat, density times heat; 9³ to a brick.
     pub(super) samples: Vec<u16>,
+    /// The least and the most density of each brick.
+    pub(super) extremes: Vec<[f32; 2]>,
     pub(super) has_heat: bool,
     /// What the samples are multiplied by.
-    pub(super) peak: f32,
+    pub(crate) peak: f32,
     /// From voxels, counted from the first node's corner.
     pub(super) world_from_voxel: DMat4,
     /// The box around all matter, in these voxels.
     pub(super) ends: [Vec3; 2],
     /// For style: balls of the size of lobes.
     pub(crate) lobes: Vec<Particle>,
+    /// For surfaces: balls that cover all bricks.
+    pub(crate) cover: Vec<Particle>,
     /// Voxels with any matter.
     pub(crate) voxels: u64,
 }
@@ -70,9 +75,11 @@ impl BrickMap {
         map.ends = ends.map(|end| (end - corner).as_vec3());
         let mut lobes = Lobes::new(samples.world_from_index, ends, lobe_m);
         let mut uniform = BTreeMap::new();
+        let mut kept = Vec::new();
         for &origin in &origins {
             let (density, heat) = samples.brick(origin);
             if density.iter().any(|&density| density > 0.0) {
+                kept.push(origin);
                 map.voxels += own_voxels(&density);
                 lobes.add(origin, &density);
                 let voxel = [0, 1, 2].map(|axis| (f64::from(origin[axis]) - corner[axis]) as usize);
@@ -81,6 +88,7 @@ impl BrickMap {
             }
         }
         map.lobes = lobes.balls();
+        map.cover = cover(samples.world_from_index, &kept);
         Ok(map)
     }
 
@@ -101,11 +109,13 @@ impl BrickMap {
             nodes: nodes.map(|side| side as u32),
             table: vec![0; (bytes / 4) as usize],
             samples: Vec::new(),
+            extremes: Vec::new(),
             has_heat: samples.has_heat(),
             peak: samples.peak().max(f32::MIN_POSITIVE),
             world_from_voxel: samples.world_from_index * DMat4::from_translation(corner),
             ends: [Vec3::ZERO; 2],
             lobes: Vec::new(),
+            cover: Vec::new(),
             voxels: 0,
         };
         Ok((map, corner))
@@ -113,7 +123,7 @@ impl BrickMap {
 
     /// Bytes that it takes on the GPU.
     pub(crate) fn bytes(&self) -> u64 {
-        (self.table.len() * size_of::<u32>() + self.samples.len() * size_of::<u16>()) as u64
+        (size_of_val(&*self.table) + size_of_val(&*self.samples) + size_of_val(&*self.extremes)) as u64
     }
 
     /// Bricks that are kept.
@@ -145,6 +155,8 @@ impl BrickMap {
         let number = self.bricks();
         let channels = self.channels();
         self.samples.extend(texels.iter().flat_map(|texel| &texel[..channels]));
+        let stored = || texels.iter().map(|[density, _]| self.peak * f16::from_bits(*density).to_f32());
+        self.extremes.push([stored().fold(f32::INFINITY, f32::min), stored().fold(0.0, f32::max)]);
         if is_uniform {
             uniform.insert(texels[0], number);
         }

@@ -18,6 +18,7 @@
 //! **Lobes.** Style knows puffs: how large the masses are that light turns around, and how far one stands before
 //! another. A file has none, so its matter is gathered into balls of the size of lobes, which are never drawn.
 
+mod cover;
 mod error;
 mod field;
 mod lobes;

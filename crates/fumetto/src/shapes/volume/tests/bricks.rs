@@ -160,7 +160,8 @@ fn a_row_of_a_million_voxels_is_seen_along_it_and_a_wider_one_is_refused() {
             all.values.extend(one.values);
         }
         // Of 20 cm and along the camera's way, the one in the middle at the origin.
-        let along = DMat4::from_rotation_y(std::f64::consts::FRAC_PI_2) * DMat4::from_scale(DVec3::splat(0.2));
+        let along =
+            DMat4::from_rotation_y(std::f64::consts::FRAC_PI_2) * DMat4::from_scale(DVec3::splat(0.2));
         let middle = DMat4::from_translation(DVec3::new(f64::from(-length / 2), 0.0, 0.0));
         vdb(&[grid("density", all, along * middle)])
     };
