@@ -45,6 +45,7 @@ draw chimney-wind chimney-wind.png --frame 130 "${large[@]}"
 draw obstacle obstacle.png --frame 30 "${large[@]}"
 draw explosion-grid explosion-grid.png --frame 24 "${large[@]}"
 draw metamorphosis metamorphosis.png --frame 60 "${large[@]}"
+draw shell shell.png --size 480x648
 draw storm storm.png "${large[@]}"
 draw puff-fuzzy puff-fuzzy.png "${large[@]}"
 draw engraving engraving.png --size 960x540 # strokes want room

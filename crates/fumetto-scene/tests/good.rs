@@ -710,6 +710,7 @@ fn every_key_of_a_volume_reaches_it() {
         soft: 0.0,
         surface: 0.5,
         relief: 0.5,
+        shadow: 0.0,
         cells: 128,
         light_cells: 64,
         step_m: None,
@@ -738,6 +739,7 @@ fn every_key_of_a_volume_reaches_it() {
         soft: 0.5,
         surface: 0.25,
         relief: 1.0,
+        shadow: 0.6,
         cells: 50,
         light_cells: 20,
         step_m: Some(0.125),
@@ -745,7 +747,7 @@ fn every_key_of_a_volume_reaches_it() {
         lobe_m: None,
     };
     let keys = "extinction = 9, profile = \"linear\", edge = 0.25, size = 2, glow = 0.75, soft = 0.5, \
-                surface = 0.25, relief = 1, cells = 100, light_cells = 40, step = 0.125, quality = 0.5, \
+                surface = 0.25, relief = 1, shadow = 0.6, cells = 100, light_cells = 40, step = 0.125, quality = 0.5, \
                 colours = [[1, 0.5, 0], \"#ffffff\"], noise = { amplitude = 0.4, frequency = 3, octaves = 6, \
                 persistence = 0.6, lacunarity = 2.5, seed = 8, drift = [0, 0.25, 0], billow = false }";
     assert_eq!(two_puffs(keys).0, other);

@@ -16,7 +16,7 @@ use crate::{
     },
     layers::Layers,
     lengths::SETTLE,
-    light::{Casting, LightsUniform, Shadows, Soften, Volumes},
+    light::{Casting, LightsUniform, Murk, Shadows, Soften, Volumes},
     paint::Mask,
     player::Look,
     proof::Proof,
@@ -42,6 +42,7 @@ pub(crate) struct Painter {
     march: March,
     normal: Normal,
     shadows: Shadows,
+    murk: Murk,
     volumes: Volumes,
     soften: Soften,
     outline: Outline,
@@ -107,6 +108,7 @@ impl Painter {
             march: March::new(gpu),
             normal: Normal::new(gpu),
             shadows: Shadows::new(gpu),
+            murk: Murk::new(gpu),
             volumes: Volumes::new(gpu),
             soften: Soften::new(gpu),
             outline: Outline::new(gpu),
@@ -365,6 +367,8 @@ impl Painter {
             settle: (SETTLE * setting.clean_px() / step as f32).round() as u32,
         };
         let shadow = self.shadows.record(frame, subject, &setting.lights, layers, &casting);
+        let volumes = (&setting.player.volumes, &setting.lights);
+        let shadow = self.murk.record(frame, subject, volumes, layers, shadow);
         self.volumes.record(frame, subject, &setting.lights, layers, shadow)
     }
 

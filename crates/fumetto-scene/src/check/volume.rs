@@ -34,6 +34,7 @@ pub(super) fn volume(at: &At<'_>, file: &VolumeFile, is_imported: bool) -> Volum
         soft: file.soft,
         surface: file.surface,
         relief: file.relief,
+        shadow: file.shadow,
         cells: scaled(file.cells, &VOLUME_CELLS),
         light_cells: scaled(file.light_cells, &LIGHT_CELLS),
         step_m: file.step,

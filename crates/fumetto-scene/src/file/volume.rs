@@ -44,6 +44,10 @@ pub struct VolumeFile {
     /// Default 0.5.
     #[schemars(transform = &limits::SHARE)]
     pub relief: f32,
+    /// The shadow that it throws on other things: where the matter on the way to a light is more opaque than this, 0 to 1. At
+    /// 0, the default, it throws none.
+    #[schemars(transform = &limits::SHARE)]
+    pub shadow: f32,
     /// How many cells the density is sampled with along the object's longest side, 8 to 512. Default 128.
     #[schemars(transform = &limits::VOLUME_CELLS)]
     pub cells: u32,
@@ -76,6 +80,7 @@ impl Default for VolumeFile {
             soft: 0.0,
             surface: 0.5,
             relief: 0.5,
+            shadow: 0.0,
             cells: 128,
             light_cells: 64,
             lobe: None,

@@ -24,6 +24,8 @@ pub struct Volume {
     pub surface: f32,
     /// How much the surface's normal counts for tones, 0 to 1.
     pub relief: f32,
+    /// The opacity on the way to a light from which on it throws a shadow on other things, 0 to 1; none at 0.
+    pub shadow: f32,
     /// Of the density along the longest side, quality included.
     pub cells: u32,
     /// Of the light along the longest side, quality included.

@@ -67,4 +67,32 @@ pub(super) const PROGRAMS: Programs = &[
     ("light/counted", &["gpu/fullscreen", "shapes/mesh/mesh", "light/facing", "light/counted"]),
     ("light/settle", &["gpu/fullscreen", "light/settle"]),
     ("light/soften", &["gpu/fullscreen", "light/soften"]),
+    (
+        "light/murk",
+        &[
+            "gpu/view",
+            "gpu/fullscreen",
+            "shapes/volume/recipe",
+            "shapes/volume/walk",
+            "shapes/volume/grid",
+            "shapes/volume/cells",
+            "light/lights",
+            "shapes/volume/toward",
+            "light/murk",
+        ],
+    ),
+    (
+        "light/murk_bricks",
+        &[
+            "gpu/view",
+            "gpu/fullscreen",
+            "shapes/volume/recipe",
+            "shapes/volume/walk",
+            "shapes/volume/bricks/brick",
+            "shapes/volume/bricks/bricks",
+            "light/lights",
+            "shapes/volume/toward",
+            "light/murk",
+        ],
+    ),
 ];

@@ -2,11 +2,13 @@
 
 mod extrude;
 mod lights;
+mod murk;
 mod shadows;
 mod soften;
 mod volumes;
 
 pub(crate) use lights::LightsUniform;
+pub(crate) use murk::Murk;
 pub(crate) use shadows::{Casting, Shadows};
 pub(crate) use soften::Soften;
 pub(crate) use volumes::Volumes;

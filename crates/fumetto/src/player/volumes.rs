@@ -32,6 +32,7 @@ pub(super) fn volumes(gpu: &Gpu, scene: &Scene, objects: &[PlayedObject]) -> Res
             puffs: first..first + played.capacity,
             moves,
             shadows: object.style.shadow.on,
+            casts: scene.casts(object),
         };
         volume.check().map_err(|source| Error::Volume { object: object.name.clone(), source })?;
         volumes.push(volume);

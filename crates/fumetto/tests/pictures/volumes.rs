@@ -126,3 +126,36 @@ fn the_drawn_surface_lies_where_the_opacity_says() {
         assert!(!hidden(surface, deep(surface) + 0.06), "{surface}");
     }
 }
+
+/// A ball of 1 m that a slanting sun throws onto the middle of a wall.
+fn ball_before_a_wall(volume: &str, ball: &str, wall: &str) -> Picture {
+    let light = "kind = \"sun\", direction = [1, 0, -1]".into();
+    let style = style(&["#000000", "#ffffff"], "shadow = { on = true }");
+    let shape = format!("soft = 1, extinction = 1, cells = 96, light_cells = 96, {volume}");
+    let stage = Stage { light, style, ..stage() }.volume("ball", &[[-3.0, 0.0, 3.0, 1.0]], &shape, ball);
+    stage.mesh("wall", "wall.obj", wall).picture_with(files())
+}
+
+#[test]
+fn a_volume_throws_a_shadow_where_it_is_opaque_enough() {
+    let lit = |picture: &Picture, metres: f32| {
+        picture.rgb(MIDDLE, (MIDDLE as f32 + metres * PX_PER_METRE) as u32) == [0xff; 3]
+    };
+    for opacity in [0.3, 0.6_f32] {
+        // A ray that passes the middle at r goes through 2 sqrt(1 - r²) of matter.
+        let edge = (1.0 - (0.5 * (1.0 - opacity).ln()).powi(2)).sqrt();
+        let picture = ball_before_a_wall(&format!("shadow = {opacity}"), "", "");
+        for side in [-1.0, 1.0] {
+            assert!(!lit(&picture, side * (edge - 0.15)), "within {edge} m at {opacity}");
+            assert!(lit(&picture, side * (edge + 0.15)), "beyond {edge} m at {opacity}");
+        }
+    }
+    for (volume, ball, wall) in [
+        ("shadow = 0", "", ""),
+        ("shadow = 0.95", "", ""),
+        ("shadow = 0.5", "style.shadow.on = false", ""),
+        ("shadow = 0.5", "", "style.shadow.receive = false"),
+    ] {
+        assert!(lit(&ball_before_a_wall(volume, ball, wall), 0.0), "{volume} {ball} {wall}");
+    }
+}

@@ -32,13 +32,13 @@ pub(crate) enum Field {
 pub(crate) struct CellField {
     pub(super) room: VolumeRoom,
     /// `VolumeGrid` of `grid.wgsl`: where the cells lie.
-    pub(super) grid: wgpu::Buffer,
+    pub(crate) grid: wgpu::Buffer,
     /// Colour times density, and density.
-    pub(super) density: wgpu::Texture,
+    pub(crate) density: wgpu::Texture,
     /// Number of the puff that is the densest there + 1; 0 where there is none.
     pub(super) owners: wgpu::Texture,
     /// 1 for each block in which there is any matter.
-    pub(super) occupied: wgpu::Buffer,
+    pub(crate) occupied: wgpu::Buffer,
     /// How much of each light that throws shadows comes through.
     pub(super) transmitted: wgpu::Texture,
 }

@@ -35,7 +35,7 @@ mod tests;
 
 pub use bricks::ImportError;
 pub(crate) use bricks::{BrickField, BrickMap, MAX_LOBES, Samples};
-pub(crate) use field::{CellField, CellGrid};
+pub(crate) use field::{CellField, CellGrid, Field};
 pub(crate) use grids::Volume;
 pub(crate) use march::March;
 pub(crate) use scene::{Source, VolumeObject, VolumeScene, VolumeTooLarge};

@@ -12,11 +12,13 @@ pub(crate) struct Recipe {
     pub(crate) moves: bool,
     /// Whether it keeps light from itself.
     pub(crate) shadows: bool,
+    /// Whether it may keep light from other things.
+    pub(crate) casts: bool,
 }
 
 #[repr(C)]
 #[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
-pub(super) struct RecipeUniform {
+pub(crate) struct RecipeUniform {
     first: u32,
     count: u32,
     is_linear: u32,
@@ -38,7 +40,7 @@ pub(super) struct RecipeUniform {
     step_m: f32,
     shadows: u32,
     step_cells: f32,
-    pad: f32,
+    murk: f32,
     colours: [[f32; 4]; limits::MAX_COLOURS],
 }
 
@@ -83,7 +85,7 @@ impl Recipe {
             step_m: volume.step_m.unwrap_or(0.0),
             shadows: u32::from(self.shadows),
             step_cells: volume.step_cells,
-            pad: 0.0,
+            murk: if self.casts { volume.shadow } else { 0.0 },
             colours,
         }
     }
@@ -94,5 +96,5 @@ mod tests {
     use super::*;
     use crate::gpu::layout_test;
 
-    layout_test!(lies_as_its_twin: RecipeUniform, "Recipe" of "shapes/volume/march" { first, count, is_linear, edge, amplitude, frequency, octaves, persistence, lacunarity, seed, billow, moves, drift, colour_count, extinction, glow, soft, surface, step_m, shadows, step_cells, colours });
+    layout_test!(lies_as_its_twin: RecipeUniform, "Recipe" of "shapes/volume/march" { first, count, is_linear, edge, amplitude, frequency, octaves, persistence, lacunarity, seed, billow, moves, drift, colour_count, extinction, glow, soft, surface, step_m, shadows, step_cells, murk, colours });
 }

@@ -31,7 +31,8 @@ struct Recipe {
     // Whether the object shadows itself.
     shadows: u32,
     step_cells: f32,
-    pad: f32,
+    // The opacity from which on it keeps light from other things; zero where it does not.
+    murk: f32,
     // Linear.
     colours: array<vec4f, 8>,
 }

@@ -6,7 +6,7 @@ use thiserror::Error;
 use super::{
     BrickField, Volume,
     field::{CellField, Field},
-    recipe::Recipe,
+    recipe::{Recipe, RecipeUniform},
 };
 use crate::gpu::{Frame, Gpu};
 
@@ -32,6 +32,8 @@ pub(crate) struct VolumeObject {
     pub(crate) moves: bool,
     /// Whether it keeps light from itself.
     pub(crate) shadows: bool,
+    /// Whether it may keep light from other things.
+    pub(crate) casts: bool,
 }
 
 /// Where a volume's matter comes from.
@@ -85,6 +87,7 @@ impl VolumeScene {
                 puffs: object.puffs,
                 moves: object.moves,
                 shadows: object.shadows,
+                casts: object.casts,
             },
             made: false,
         };
@@ -118,6 +121,15 @@ impl VolumeScene {
             volume.field = Field::Bricks(field);
             volume.made = false;
         }
+    }
+
+    /// Those that throw shadows on other things.
+    pub(crate) fn casting(&self) -> impl Iterator<Item = (RecipeUniform, &Field)> {
+        let recipe = |made: &Made| made.recipe.uniform(0.0);
+        self.volumes
+            .iter()
+            .filter(|made| made.recipe.casts && made.recipe.volume.shadow > 0.0)
+            .map(move |made| (recipe(made), &made.field))
     }
 
     /// Those of the objects that `members` numbers.

@@ -28,9 +28,9 @@ struct BrickGrid {
 /// Bricks, the table that finds them, and the light in them.
 #[derive(Clone, Debug)]
 pub(crate) struct BrickField {
-    pub(in crate::shapes) grid: wgpu::Buffer,
-    pub(in crate::shapes) table: wgpu::Buffer,
-    pub(in crate::shapes) atlas: wgpu::Texture,
+    pub(crate) grid: wgpu::Buffer,
+    pub(crate) table: wgpu::Buffer,
+    pub(crate) atlas: wgpu::Texture,
     /// The least and the most density of each brick.
     pub(in crate::shapes) extremes: wgpu::Buffer,
     /// How much of each light that throws shadows comes through.

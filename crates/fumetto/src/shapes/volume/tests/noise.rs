@@ -32,13 +32,14 @@ fn recipe(noise: VolumeNoise) -> Recipe {
         soft: 1.0,
         surface: 0.5,
         relief: 0.5,
+        shadow: 0.0,
         cells: 8,
         light_cells: 4,
         step_m: None,
         step_cells: 0.5,
         lobe_m: None,
     };
-    Recipe { volume, puffs: 0..1, moves: false, shadows: false }
+    Recipe { volume, puffs: 0..1, moves: false, shadows: false, casts: false }
 }
 
 /// Places off the lattice, on both sides of the origin.
