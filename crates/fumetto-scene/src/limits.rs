@@ -213,6 +213,12 @@ pub const ELASTICITY: Limit = Limit::closed(0.0, 1e6);
 pub const FRICTION: Limit = Limit::above(0.0, 10.0);
 /// How far grain moves a border, as a share of the radius.
 pub const GRAIN: Limit = Limit::closed(0.0, 0.9);
+/// Lights in place of one.
+pub const CLUSTER: Limit = Limit::closed(2.0, 16.0);
+/// How far suns in place of one stand from their middle.
+pub const CLUSTER_DEG: Limit = Limit::above(0.0, 45.0);
+/// Things of which there is at least one.
+pub const COUNT: Limit = Limit::closed(1.0, 1_500_000.0);
 /// Volumes of paint in each other.
 pub const WASHES: Limit = Limit::closed(1.0, 8.0);
 

@@ -5,12 +5,12 @@ mod common;
 
 use common::{load, load_with};
 use fumetto_scene::{
-    Along, Background, Border, Brush, Burst, Cells, Colour, Curve, Detail, Drop, Ease, EdgeKind,
-    EmitterShape, Exaggerate, Follow, Force, Given, Gooch, Growth, Hatching, Highlight, Imported, Ink,
-    InkMethod, Light, LightKind, Look, Matter, Mesh, Metamorphosis, Morph, Noise, Paint, Particle, Pour,
+    Along, Background, Border, Brush, Burst, Cells, Cluster, Colour, Curve, Detail, Drop, Ease, EdgeKind,
+    Emitter, EmitterShape, Exaggerate, Follow, Force, Given, Gooch, Growth, Hatching, Highlight, Imported,
+    Ink, InkMethod, Light, LightKind, Look, Matter, Mesh, Metamorphosis, Morph, Noise, Paint, Particle, Pour,
     Profile, Puffs, Ramp, RampImage, RampRows, Raw, RawNumber, Resolution, Rim, Rings, Scene, SceneText,
-    Shading, Shape, Smoke, Spacing, Spread, Stroke, StrokeTexture, Style, StyleChoice, Surface, Tone,
-    Transform, Volume, VolumeNoise, Wash, Width,
+    Shading, Shape, Smoke, Spacing, Spread, Stain, StainRoom, Stroke, StrokeTexture, Style, StyleChoice,
+    Surface, Tone, Transform, Volume, VolumeNoise, Wash, Width,
 };
 
 fn srgb(hex: u32) -> Colour {
@@ -43,7 +43,7 @@ fn the_sketch_of_the_format_is_valid() {
     let camera = &scene.cameras[0];
     assert_eq!((camera.name.as_str(), camera.fov_deg, camera.up), ("main", 40.0, [0.0, 1.0, 0.0]));
     let kind = LightKind::Sun { direction: [-0.4, -1.0, -0.3] };
-    assert_eq!(scene.lights, [Light { kind, intensity: 1.0, shadow: true }]);
+    assert_eq!(scene.lights, [Light { kind, intensity: 1.0, shadow: true, cluster: None }]);
     assert_eq!(scene.background, Background::Transparent);
     assert_eq!((scene.time.fps, scene.time.hold, scene.time.substeps), (24.0, 2, 1));
     assert_eq!((scene.output.size, scene.output.antialias), ([1280, 720], 2));
@@ -68,7 +68,9 @@ fn every_key_reaches_the_scene() {
     assert_eq!(scene.cameras.iter().map(|camera| camera.name.as_str()).collect::<Vec<_>>(), ["front", "top"]);
     assert_eq!((scene.cameras[0].fov_deg, scene.cameras[0].near), (35.0, Some(0.1)));
     let kind = LightKind::Point { position: [0.0, 1.0, 0.0] };
-    assert_eq!(scene.lights[1], Light { kind, intensity: 0.5, shadow: false });
+    assert_eq!(scene.lights[1], Light { kind, intensity: 0.5, shadow: false, cluster: None });
+    let reach = 3.0_f32.to_radians().tan();
+    assert_eq!(scene.lights[0].cluster, Some(Cluster { lights: 5, reach }));
     let bottom = Colour { linear: [0.5, 0.6, 0.7] };
     assert_eq!(scene.background, Background::Gradient { top: srgb(0x406080), bottom });
     assert_eq!((scene.time.frames, scene.time.substeps), ([10, 20], 4));
@@ -90,6 +92,9 @@ fn every_key_of_paint_reaches_it() {
         let ramp = Ramp::Tones(tones.to_vec());
         assert_eq!(*style, Style { ramp, ..object.style.clone() }, "the rest is the object's own");
     }
+    let room = |emitter: &Emitter| StainRoom::new(emitter.capacity(scene.time.step_secs()), 2, 50);
+    let rooms: Vec<_> = smoke(&scene).emitters.iter().map(room).collect();
+    assert_eq!(rooms[1], StainRoom { particles: 250, rounds: 1 }, "half of the 500 that are alive");
     let expected = Paint {
         drops: vec![
             Drop {
@@ -115,6 +120,7 @@ fn every_key_of_paint_reaches_it() {
             uneven: 0.1,
         }),
         pours: vec![Pour { at: [0.0, 2.0, 0.0], during_secs: [0.5, 4.0], rate_m3_per_s: 0.1 }],
+        stains: vec![Stain { from: 0, size: 1.5, ends: true, every: 2, rooms: rooms.clone() }],
         spread: Spread {
             subdivisions: 4,
             stiffness: 9.0,
@@ -131,8 +137,9 @@ fn every_key_of_paint_reaches_it() {
         outside: paint.outside.clone(),
     };
     assert_eq!(*paint, expected);
-    // Two drops, two pieces and 8 by 6 cells, in two washes of 162 vertices.
-    assert_eq!((paint.volumes(), paint.vertices()), (104, 104 * 162));
+    // Two drops, two pieces, 8 by 6 cells and stains, in two washes of 162 vertices.
+    let volumes = 2 * (52 + rooms.iter().map(StainRoom::volumes).sum::<u64>());
+    assert_eq!((paint.volumes(), paint.vertices()), (volumes, volumes * 162));
     assert_eq!(scene.styled_looks().count(), 1);
 }
 
@@ -142,6 +149,17 @@ fn a_radius_changes_evenly_from_point_to_point() {
     let radii = [0.0, 1.0, 2.0, 3.0, 3.5, 4.0, 99.0].map(|secs| growth.at(secs));
     assert_eq!(radii, [2.0, 2.0, 3.0, 4.0, 2.0, 0.0, 0.0]);
     assert_eq!(growth.largest(), 4.0);
+}
+
+#[test]
+fn there_is_room_for_as_many_stains_as_should_stay() {
+    assert_eq!(StainRoom::new(100, 3, 120), StainRoom { particles: 34, rounds: 4 });
+    assert_eq!(
+        StainRoom::new(100, 1, 7),
+        StainRoom { particles: 100, rounds: 1 },
+        "a place for each at least"
+    );
+    assert_eq!(StainRoom::new(0, 1, 7).volumes(), 7);
 }
 
 #[test]

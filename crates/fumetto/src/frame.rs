@@ -16,7 +16,7 @@ use crate::{
     },
     layers::Layers,
     lengths::SETTLE,
-    light::{Casting, LightsUniform, Murk, Shadows, Soften, Volumes},
+    light::{Casting, Clusters, LightsUniform, Murk, Shadows, Soften, Volumes},
     paint::Mask,
     player::Look,
     proof::Proof,
@@ -44,6 +44,7 @@ pub(crate) struct Painter {
     shadows: Shadows,
     murk: Murk,
     volumes: Volumes,
+    clusters: Clusters,
     soften: Soften,
     outline: Outline,
     vector: Vector,
@@ -110,6 +111,7 @@ impl Painter {
             shadows: Shadows::new(gpu),
             murk: Murk::new(gpu),
             volumes: Volumes::new(gpu),
+            clusters: Clusters::new(gpu),
             soften: Soften::new(gpu),
             outline: Outline::new(gpu),
             vector: Vector::new(gpu),
@@ -366,10 +368,18 @@ impl Painter {
             step,
             settle: (SETTLE * setting.clean_px() / step as f32).round() as u32,
         };
-        let shadow = self.shadows.record(frame, subject, &setting.lights, layers, &casting);
-        let volumes = (&setting.player.volumes, &setting.lights);
-        let shadow = self.murk.record(frame, subject, volumes, layers, shadow);
-        self.volumes.record(frame, subject, &setting.lights, layers, shadow)
+        let volumes = &setting.player.volumes;
+        let cast = |frame: &mut Frame<'_>, lights: &LightsUniform, subject: Subject<'_>| {
+            let shadow = self.shadows.record(frame, subject, lights, layers, &casting);
+            let shadow = self.murk.record(frame, subject, (volumes, lights), layers, shadow);
+            self.volumes.record(frame, subject, lights, layers, shadow)
+        };
+        let shadow = cast(frame, &setting.lights, subject);
+        let clusters = setting.lights.clusters(setting.player.scene());
+        self.clusters.record(frame, layers, &clusters, shadow, |frame, member| {
+            let lights = frame.uniform("light.member", member);
+            cast(frame, member, Subject { lights: &lights, ..subject })
+        })
     }
 
     /// Paints flat colours onto `canvas`.
@@ -385,7 +395,7 @@ impl Painter {
         let ramps = &setting.look.ramps;
         if cel.pre_shaded {
             let sprites = self.sprites.record(frame, subject, ramps, setting.bytes(cel));
-            let shadow = setting.lights.casting().next().map(|_| shadow);
+            let shadow = setting.lights.have_shadows().then_some(shadow);
             return self.copied.record(
                 frame,
                 subject,

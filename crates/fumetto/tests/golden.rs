@@ -207,6 +207,26 @@ fn paint_looks_as_it_did() {
 }
 
 #[test]
+fn rain_paints_where_it_lands_as_it_did() {
+    check("paint-rain", 100);
+}
+
+#[test]
+fn powder_tints_what_it_touches_as_it_did() {
+    check("paint-powder", 40);
+}
+
+#[test]
+fn day_and_night_look_as_they_did() {
+    check("day-night", 84);
+}
+
+#[test]
+fn soft_shadows_look_as_they_did() {
+    check("soft-shadow", 0);
+}
+
+#[test]
 fn paint_wash_looks_as_it_did() {
     check("paint-wash", 143);
 }

@@ -64,7 +64,7 @@ pub(super) fn object(
 }
 
 /// Keys that only some kinds have, with those kinds.
-const KEYS: [(&str, &[ObjectKind]); 25] = [
+const KEYS: [(&str, &[ObjectKind]); 26] = [
     ("opacity", &[ObjectKind::Smoke, ObjectKind::Cloud, ObjectKind::Mesh, ObjectKind::Volume]),
     ("particles", &[ObjectKind::Cloud]),
     ("morph", &[ObjectKind::Cloud]),
@@ -84,6 +84,7 @@ const KEYS: [(&str, &[ObjectKind]); 25] = [
     ("stroke", &[ObjectKind::Paint]),
     ("pour", &[ObjectKind::Paint]),
     ("cells", &[ObjectKind::Paint]),
+    ("stain", &[ObjectKind::Paint]),
     ("spread", &[ObjectKind::Paint]),
     ("keep", &[ObjectKind::Paint]),
     ("wash", &[ObjectKind::Paint]),

@@ -15,7 +15,7 @@ use crate::{Border, Brush, Cells, Drop, Growth, Look, Matter, Object, Paint, Pou
 const FEW_SUBSTEPS: u32 = 16;
 
 /// Grain is half as large as the largest radius, unless the file says otherwise.
-const GRAIN_SHARE: f32 = 0.5;
+pub(super) const GRAIN_SHARE: f32 = 0.5;
 
 /// A drop falls with this share of its largest radius, likewise.
 const START_SHARE: f32 = 0.1;
@@ -38,12 +38,13 @@ pub(super) fn paint(at: &At<'_>, file: &ObjectFile, step_secs: f64) -> Paint {
         border: file.border.as_ref().map(|file| border(&at.key("border"), file)),
         inside: Look::Own,
         outside: None,
+        stains: Vec::new(),
         drops,
         strokes,
         cells,
     };
-    if paint.volumes() == 0 {
-        let message = format!("the paint {:?} has no drop, no stroke and no pour", file.name);
+    if paint.volumes() == 0 && file.stain.is_none() {
+        let message = format!("the paint {:?} has no drop, no stroke, no pour and no stain", file.name);
         at.warning("no-paint", message, "write drop = [{ at = [0, 0, 0], radius = 1.0 }]");
     }
     paint
@@ -236,8 +237,8 @@ pub(super) fn enough_room(at: &At<'_>, objects: &[Object]) {
 
 const LAYERS_HELP: &str = "each wash is one; lower `wash.steps`, or join paints that look the same";
 
-const VOLUMES_HELP: &str =
-    "each drop, piece of a stroke and cell is one, as often as there are washes; enlarge `cell`";
+const VOLUMES_HELP: &str = "each drop, piece of a stroke, cell and stain is one, as often as there are washes; enlarge \
+     `cell`, or raise `stain.every`";
 
 const VERTICES_HELP: &str = "lower `spread.subdivisions`, or enlarge `cell`";
 

@@ -3,12 +3,14 @@ use std::collections::HashSet;
 use super::values::{colour, cross, direction, length, unit};
 use super::{
     At, Styles,
+    light::lights,
     object::object,
     paint::{enough_room, looks},
+    stain::stains,
 };
-use crate::file::{BackgroundFile, CameraFile, LightFile, SceneFile, TimeFile};
-use crate::limits::{MAX_LIGHTS, MAX_OBJECTS, MAX_STROKE_PICTURES, MIN_DIRECTION, MIN_UP_SINE};
-use crate::{Background, Camera, Light, LightKind, Object, Output, Scene, Time};
+use crate::file::{BackgroundFile, CameraFile, SceneFile, TimeFile};
+use crate::limits::{MAX_OBJECTS, MAX_STROKE_PICTURES, MIN_DIRECTION, MIN_UP_SINE};
+use crate::{Background, Camera, Object, Output, Scene, Time};
 
 /// The scene that `file` describes.
 pub(crate) fn scene(at: &At<'_>, file: &SceneFile, styles: &mut Styles<'_>) -> Scene {
@@ -19,6 +21,7 @@ pub(crate) fn scene(at: &At<'_>, file: &SceneFile, styles: &mut Styles<'_>) -> S
         .map(|(i, one)| object(&at.key("object").item(i), one, &style, time.step_secs(), styles))
         .collect();
     looks(&at.key("object"), &file.object, &mut objects, styles);
+    stains(&at.key("object"), &file.object, &mut objects, time.step_secs());
     enough_room(&at.key("object"), &objects);
     let names = file.object.iter().map(|object| object.name.as_str());
     unique_names(&at.key("object"), names, "object");
@@ -98,27 +101,6 @@ fn camera(at: &At<'_>, file: &CameraFile) -> Camera {
     }
 }
 
-fn lights(at: &At<'_>, files: &[LightFile]) -> Vec<Light> {
-    at_most(at, "light", files.len(), MAX_LIGHTS, "leave out the weakest");
-    if files.is_empty() {
-        let help = "add a [[light]], as in: kind = \"sun\", direction = [-0.4, -1.0, -0.3]";
-        at.warning("no-light", "the scene has no light, so only the darkest tone is drawn".into(), help);
-    }
-    files.iter().enumerate().map(|(i, file)| light(&at.item(i), file)).collect()
-}
-
-fn light(at: &At<'_>, file: &LightFile) -> Light {
-    match *file {
-        LightFile::Sun { direction: way, intensity, shadow } => {
-            let kind = LightKind::Sun { direction: direction(&at.key("direction"), way) };
-            Light { kind, intensity, shadow }
-        }
-        LightFile::Point { position, intensity, shadow } => {
-            Light { kind: LightKind::Point { position }, intensity, shadow }
-        }
-    }
-}
-
 fn background(at: &At<'_>, file: Option<&BackgroundFile>) -> Background {
     let Some(file) = file else { return Background::Transparent };
     match file {
@@ -167,7 +149,7 @@ fn unique_names<'n>(at: &At<'_>, names: impl Iterator<Item = &'n str>, what: &st
     }
 }
 
-fn at_most(at: &At<'_>, what: &str, count: usize, most: usize, help: &str) {
+pub(super) fn at_most(at: &At<'_>, what: &str, count: usize, most: usize, help: &str) {
     if count > most {
         let message = format!("there are {count} {what}s, but at most {most} are allowed");
         at.item(most).error("too-many", message, help);

@@ -7,12 +7,14 @@ mod grid;
 mod hatching;
 mod imported;
 mod ink;
+mod light;
 mod mesh;
 mod morph;
 mod object;
 mod paint;
 mod scene;
 mod smoke;
+mod stain;
 mod stroke;
 mod style;
 mod surface;
@@ -25,6 +27,7 @@ pub use grid::{EddiesFile, GridBoxFile, GridFile, SourceFile, WallFile, WallsFil
 pub use hatching::{AlongFile, FollowFile, HatchingFile};
 pub use imported::{ByteOrderFile, ImportedFile, RawFile, RawNumberFile, ReadFile};
 pub use ink::{CreaseFile, HiddenLinesFile, InkFile, InkMethodFile, PenFile, WidthFile};
+pub use light::{LampClusterFile, LightFile, SunClusterFile};
 pub use mesh::{ScaleFile, TransformFile, UpFile};
 pub use morph::{EaseFile, MorphFile};
 pub use object::{ObjectFile, ObjectKind, ParticleFile, ParticlesFile, PuffsFile, ShapeFile};
@@ -32,8 +35,9 @@ pub use paint::{
     BorderFile, BoxFile, BrushFile, CellsFile, DropFile, GrowthFile, LookFile, PourFile, SpreadFile,
     WashFile, WashModeFile,
 };
-pub use scene::{BackgroundFile, CameraFile, LightFile, OutputFile, SceneFile, TimeFile};
+pub use scene::{BackgroundFile, CameraFile, OutputFile, SceneFile, TimeFile};
 pub use smoke::{BurstFile, EmitterFile, EmitterShapeFile, ForceFile};
+pub use stain::StainFile;
 pub use stroke::StrokeFile;
 pub use style::{PixelsFile, ShadingFile, ShadowFile, StyleFile};
 pub use surface::{DetailFile, NoiseFile, SurfaceFile};

@@ -3,8 +3,8 @@ use serde::{Deserialize, Serialize};
 
 use super::{
     BorderFile, BoxFile, BrushFile, CellsFile, DropFile, EmitterFile, ForceFile, GridFile, ImportedFile,
-    LookFile, MorphFile, OneOrMany, PourFile, SolverFile, SpreadFile, StyleFile, SurfaceFile, TransformFile,
-    UpFile, VolumeFile, VortexFile, WashFile,
+    LookFile, MorphFile, OneOrMany, PourFile, SolverFile, SpreadFile, StainFile, StyleFile, SurfaceFile,
+    TransformFile, UpFile, VolumeFile, VortexFile, WashFile,
 };
 use crate::limits;
 
@@ -64,6 +64,9 @@ pub struct ObjectFile {
     pub pour: Option<OneOrMany<PourFile>>,
     /// The grid that poured paint of a `kind = "paint"` runs in.
     pub cells: Option<CellsFile>,
+    /// Paint of a `kind = "paint"` that the particles of a smoke leave on the models that they touch: one table, or
+    /// several `[[object.stain]]`.
+    pub stain: Option<OneOrMany<StainFile>>,
     /// How paint of a `kind = "paint"` spreads.
     pub spread: Option<SpreadFile>,
     /// Paint of a `kind = "paint"` stays in this box.

@@ -1,7 +1,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{ColourFile, ObjectFile, OneOrMany, StyleFile};
+use super::{ColourFile, LightFile, ObjectFile, OneOrMany, StyleFile};
 use crate::limits;
 
 /// A Fumetto scene. Right-handed, +Y up, metres, seconds, degrees.
@@ -73,44 +73,6 @@ fn up() -> [f32; 3] {
 
 fn fov() -> f32 {
     40.0
-}
-
-/// A light that throws hard, cartoon light.
-#[derive(Clone, Debug, Deserialize, JsonSchema, PartialEq, Serialize)]
-#[serde(tag = "kind", rename_all = "kebab-case", deny_unknown_fields)]
-pub enum LightFile {
-    /// Parallel rays.
-    Sun {
-        /// The way the light travels; of any length above zero.
-        direction: [f32; 3],
-        /// How much it adds; 1 lights a facing surface fully. Default 1.
-        #[serde(default = "intensity")]
-        #[schemars(transform = &limits::INTENSITY)]
-        intensity: f32,
-        /// Whether objects throw its shadows. Default true.
-        #[serde(default = "yes")]
-        shadow: bool,
-    },
-    /// Rays from one place, not weaker in the distance.
-    Point {
-        /// Where it is, in metres.
-        position: [f32; 3],
-        /// How much it adds; 1 lights a facing surface fully. Default 1.
-        #[serde(default = "intensity")]
-        #[schemars(transform = &limits::INTENSITY)]
-        intensity: f32,
-        /// Whether objects throw its shadows. Default true.
-        #[serde(default = "yes")]
-        shadow: bool,
-    },
-}
-
-fn intensity() -> f32 {
-    1.0
-}
-
-fn yes() -> bool {
-    true
 }
 
 /// What lies behind the objects: exactly one of these.

@@ -7,6 +7,17 @@ pub struct Light {
     pub intensity: f32,
     /// Whether objects throw its shadows.
     pub shadow: bool,
+    /// Lights in place of it that throw its shadows, if these are soft.
+    pub cluster: Option<Cluster>,
+}
+
+/// Lights close to each other whose shadows add up to soft ones.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cluster {
+    /// How many there are, 2 or more.
+    pub lights: u32,
+    /// How far they stand from their middle: of a point light in metres, of a sun as a share of its distance.
+    pub reach: f32,
 }
 
 /// The kinds of light.

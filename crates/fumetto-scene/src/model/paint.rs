@@ -1,4 +1,4 @@
-use crate::{Colour, Matter, Scene, Style, Width};
+use crate::{Colour, Matter, Scene, Stain, Style, Width};
 
 /// Paint that spreads over what the scene shows.
 #[derive(Clone, Debug, PartialEq)]
@@ -11,6 +11,8 @@ pub struct Paint {
     pub cells: Option<Cells>,
     /// Paint that is poured into these; none without them.
     pub pours: Vec<Pour>,
+    /// What particles leave on models.
+    pub stains: Vec<Stain>,
     /// How it moves.
     pub spread: Spread,
     /// Where it stays: the middle and the sides of a box.
@@ -215,7 +217,8 @@ impl Paint {
     pub fn volumes(&self) -> u64 {
         let pieces = self.strokes.iter().map(|stroke| stroke.path.len().saturating_sub(1)).sum::<usize>();
         let cells = self.cells.map_or(0, |cells| cells.count().map(u64::from).iter().product());
-        ((self.drops.len() + pieces) as u64).saturating_add(cells).saturating_mul(self.layers().into())
+        let stains = self.stains.iter().map(Stain::volumes).fold(cells, u64::saturating_add);
+        ((self.drops.len() + pieces) as u64).saturating_add(stains).saturating_mul(self.layers().into())
     }
 
     /// Vertices of all of them.

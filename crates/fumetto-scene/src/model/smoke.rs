@@ -182,3 +182,11 @@ pub enum Force {
         acceleration: f32,
     },
 }
+
+impl Emitter {
+    /// The largest radius that any of its particles ever has, in metres.
+    #[must_use]
+    pub fn largest_radius(&self) -> f32 {
+        self.radius[0].max(self.radius[1]) * self.radius_over_life.largest()
+    }
+}

@@ -150,11 +150,10 @@ impl Surface {
     pub fn plan_smoke(&self, smoke: &Smoke, step_secs: f64) -> SurfacePlan {
         let emitters = &smoke.emitters;
         let count = emitters.iter().map(|emitter| emitter.capacity(step_secs)).fold(0, u64::saturating_add);
-        let largest = |emitter: &Emitter| emitter.radius[1] * emitter.radius_over_life.largest();
         let mean = |emitter: &Emitter| {
             0.5 * (emitter.radius[0] + emitter.radius[1]) * emitter.radius_over_life.mean()
         };
-        let largest_m = emitters.iter().map(largest).fold(0.0, f32::max) * self.size;
+        let largest_m = emitters.iter().map(Emitter::largest_radius).fold(0.0, f32::max) * self.size;
         let mean_m = emitters.iter().map(mean).sum::<f32>() / emitters.len().max(1) as f32 * self.size;
         self.plan_moving(count, mean_m, largest_m)
     }

@@ -65,6 +65,7 @@ pub(super) const PROGRAMS: Programs = &[
         &["gpu/view", "shapes/mesh/mesh", "light/lights", "light/volumes", "light/face", "light/side"],
     ),
     ("light/counted", &["gpu/fullscreen", "shapes/mesh/mesh", "light/facing", "light/counted"]),
+    ("light/gather", &["gpu/fullscreen", "light/gather"]),
     ("light/settle", &["gpu/fullscreen", "light/settle"]),
     ("light/soften", &["gpu/fullscreen", "light/soften"]),
     (

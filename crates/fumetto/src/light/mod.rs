@@ -1,5 +1,6 @@
 //! Light: where it comes from, and what keeps it away.
 
+mod clusters;
 mod extrude;
 mod lights;
 mod murk;
@@ -7,6 +8,7 @@ mod shadows;
 mod soften;
 mod volumes;
 
+pub(crate) use clusters::Clusters;
 pub(crate) use lights::LightsUniform;
 pub(crate) use murk::Murk;
 pub(crate) use shadows::{Casting, Shadows};

@@ -6,6 +6,7 @@ use wgpu::util::DeviceExt as _;
 
 use super::{
     floor::{NOTHING, corner, floors},
+    group::Ordered,
     orders::Order,
 };
 use crate::{
@@ -118,18 +119,14 @@ impl Grid {
     }
 
     /// How many cells there are.
-    pub(super) fn count(&self) -> u32 {
+    fn count(&self) -> u32 {
         self.cells.count().iter().product()
     }
 
-    /// Over which length the cells' volumes run into each other.
-    pub(super) fn blend_m(&self) -> f32 {
-        BLEND * self.cells.cell_m
-    }
-
-    /// What the volumes of a wash are to do: `Order`s of `order.wgsl`.
-    pub(super) fn orders(&self, layer: u32) -> &wgpu::Buffer {
-        &self.washes[layer as usize].1
+    /// The volumes of a wash.
+    pub(super) fn ordered(&self, layer: u32) -> Ordered<'_> {
+        let orders = &self.washes[layer as usize].1;
+        Ordered { count: self.count(), orders, blend_m: BLEND * self.cells.cell_m }
     }
 
     /// How much paint each cell has: `Cell`s of `cells.wgsl`.

@@ -3,7 +3,7 @@
 use bytemuck::{Pod, Zeroable};
 use fumetto_scene::{Paint, Spread};
 
-use super::{cells::Grid, coat::Coat, orders::Source};
+use super::{coat::Coat, orders::Source};
 use crate::gpu::Frame;
 
 /// `Group` of `spread.wgsl`.
@@ -44,8 +44,18 @@ pub(super) struct Group {
 enum Kind {
     /// From drops and strokes, whose radii are multiplied.
     Listed(Vec<Source>, f32),
-    /// From cells, which say themselves what their volumes are to do.
-    Cells(wgpu::Buffer),
+    /// From cells or particles, which say themselves what their volumes are to do.
+    Ordered(wgpu::Buffer),
+}
+
+/// Volumes that are told what to do on the device.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Ordered<'a> {
+    pub(super) count: u32,
+    /// `Order`s of `order.wgsl`.
+    pub(super) orders: &'a wgpu::Buffer,
+    /// Over which length they run into each other.
+    pub(super) blend_m: f32,
 }
 
 /// Where a group's volumes begin.
@@ -70,16 +80,16 @@ impl Group {
         Self { uniform, blend_m: 0.0, kind: Kind::Listed(sources, paint.wash_scale(layer)) }
     }
 
-    /// The `layer`-th wash of a paint's cells.
-    pub(super) fn poured(
+    /// The `layer`-th wash of what says itself what its volumes are to do.
+    pub(super) fn ordered(
         paint: &Paint,
         coat: &Coat,
-        (grid, layer): (&Grid, u32),
+        (ordered, layer): (Ordered<'_>, u32),
         firsts: Firsts,
         (seed, step_secs): (u32, f64),
     ) -> Self {
-        let uniform = uniform(paint, coat, grid.count(), firsts, (seed_of(seed, layer), step_secs));
-        Self { uniform, blend_m: grid.blend_m(), kind: Kind::Cells(grid.orders(layer).clone()) }
+        let uniform = uniform(paint, coat, ordered.count, firsts, (seed_of(seed, layer), step_secs));
+        Self { uniform, blend_m: ordered.blend_m, kind: Kind::Ordered(ordered.orders.clone()) }
     }
 
     /// What its volumes do between two moments: `Order`s of `order.wgsl`.
@@ -89,7 +99,7 @@ impl Group {
                 let orders: Vec<_> = sources.iter().map(|source| source.order(secs, *scale)).collect();
                 frame.storage("paint.orders", &orders)
             }
-            Kind::Cells(orders) => orders.clone(),
+            Kind::Ordered(orders) => orders.clone(),
         }
     }
 

@@ -7,7 +7,7 @@ use crate::{
 };
 
 /// Pixels of a tile along x and y. Also in `mask.wgsl`.
-const TILE_PX: [u32; 2] = [32, 16];
+const TILE_PX: [u32; 2] = [16, 16];
 
 /// The long-lived kernel.
 #[derive(Debug)]

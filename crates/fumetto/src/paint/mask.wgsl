@@ -15,9 +15,11 @@
 @group(0) @binding(8) var<storage, read_write> mask: array<u32>;
 
 // Pixels of a tile along x and y; each invocation has two of them. A software rasteriser gives up a loop after 65,535
-// rounds in all: so few pixels, and no loop within those over bodies, leave room for all that a scene may have.
-const TILE_PX: vec2u = vec2u(32u, 16u);
-const LANES: u32 = 256u;
+// rounds in all: so few pixels, and no loop within those over bodies, leave room for all that a scene may have. It also
+// runs what an `if` keeps out, and every loop once: so there is one loop over bodies, which asks for a radius in one
+// place.
+const TILE_PX: vec2u = vec2u(16u, 16u);
+const LANES: u32 = 128u;
 
 // Room for as many bodies as a scene may have, 32 to a word, and for a bit for each of these words.
 const HITS: u32 = 512u;
@@ -36,6 +38,10 @@ var<workgroup> lows: array<vec3f, LANES>;
 var<workgroup> highs: array<vec3f, LANES>;
 var<workgroup> hits: array<atomic<u32>, HITS>;
 var<workgroup> summary: array<atomic<u32>, SUMMARY>;
+// A bit for each word of the summary that has any.
+var<workgroup> parts: atomic<u32>;
+// A bit for each layer of which one body holds all that the tile shows.
+var<workgroup> whole: atomic<u32>;
 
 fn distance_at(px: vec2u) -> f32 {
     let depth = textureLoad(depth_layer, min(px, textureDimensions(depth_layer) - 1u), 0);
@@ -80,7 +86,35 @@ fn line_at(coat: u32, distance: f32) -> f32 {
     return max(coats.coats[coat].line_px * distance / view.focal_px, coats.coats[coat].line_m);
 }
 
-// Notes the bodies that come near what the tile shows.
+// How near a body comes to what a tile shows.
+struct Reach {
+    // Whether its border may lie there, or the line along it.
+    is_near: bool,
+    // Whether all lies deep inside of it.
+    holds_all: bool,
+}
+
+fn reach_of(body: Body, low: vec3f, high: vec3f, farthest: f32) -> Reach {
+    let coat = body.coat;
+    let band = STEEPEST * line_at(coat, farthest) + BLENDS * body.blend;
+    let reach = body.far + band;
+    let keep_low = coats.coats[coat].keep_low;
+    let keep_high = coats.coats[coat].keep_high;
+    let ends_low = max(min(body.start, body.end) - reach, keep_low);
+    let ends_high = min(max(body.start, body.end) + reach, keep_high);
+    // Of a ball around all that is shown, the nearest and the farthest place.
+    let middle = 0.5 * (low + high);
+    let half = 0.5 * length(high - low);
+    let axis = body.end - body.start;
+    let along = clamp(dot(middle - body.start, axis) / max(dot(axis, axis), 1e-20), 0.0, 1.0);
+    let apart = distance(middle, body.start + along * axis);
+    let meets = all(ends_low <= high) && all(ends_high >= low) && apart - half <= reach;
+    let is_kept = all(low >= keep_low) && all(high <= keep_high);
+    let is_there = body.far > 0.0 && low.x <= high.x;
+    return Reach(is_there && meets, is_there && is_kept && apart + half < body.near - band);
+}
+
+// Notes the bodies that have to be asked about what the tile shows.
 fn find(lane: u32) {
     for (var word = lane; word < HITS; word += LANES) {
         atomicStore(&hits[word], 0u);
@@ -88,20 +122,29 @@ fn find(lane: u32) {
     if lane < SUMMARY {
         atomicStore(&summary[lane], 0u);
     }
+    if lane == 0u {
+        atomicStore(&parts, 0u);
+        atomicStore(&whole, 0u);
+    }
     workgroupBarrier();
     let low = lows[0];
     let high = highs[0];
-    let shows_nothing = low.x > high.x;
     let eye = view.world_from_view[3].xyz;
     let farthest = length(max(abs(low - eye), abs(high - eye)));
     for (var number = lane; number < coats.bodies; number += LANES) {
         let body = bodies[number];
-        let reach = body.far + STEEPEST * line_at(body.coat, farthest) + BLENDS * body.blend;
-        let ends_low = min(body.start, body.end) - reach;
-        let ends_high = max(body.start, body.end) + reach;
-        if !shows_nothing && body.far > 0.0 && all(ends_low <= high) && all(ends_high >= low) {
+        if reach_of(body, low, high, farthest).holds_all {
+            atomicOr(&whole, 1u << body.layer);
+        }
+    }
+    workgroupBarrier();
+    let known = atomicLoad(&whole);
+    for (var number = lane; number < coats.bodies; number += LANES) {
+        let body = bodies[number];
+        if (known & (1u << body.layer)) == 0u && reach_of(body, low, high, farthest).is_near {
             atomicOr(&hits[number / 32u], 1u << (number % 32u));
             atomicOr(&summary[number / 1024u], 1u << (number / 32u % 32u));
+            atomicOr(&parts, 1u << (number / 1024u));
         }
     }
     workgroupBarrier();
@@ -150,18 +193,17 @@ fn ask(body: Body, place: vec3f, distance: f32, known: ptr<function, Known>) {
         return;
     }
     let outward = away / max(apart, 1e-20);
-    if body.blend > 0.0 {
-        let share = exp((radius_of(body, outward) - apart) / body.blend);
+    let blends = body.blend > 0.0;
+    var outside = apart - body.near;
+    if blends || outside >= -band {
+        outside = apart - radius_of(body, outward);
+    }
+    if blends {
+        let share = exp(-outside / body.blend);
         (*known).sum += share;
         (*known).sum_outward += share * outward;
         (*known).blend = body.blend;
-        return;
-    }
-    var outside = apart - body.near;
-    if outside >= -band {
-        outside = apart - radius_of(body, outward);
-    }
-    if outside < (*known).outside {
+    } else if outside < (*known).outside {
         (*known).outside = outside;
         (*known).outward = outward;
     }
@@ -221,34 +263,42 @@ fn asked(px: vec2u) -> u32 {
     known.edge = NOWHERE;
     let right = step_from(px, place, distance, vec2u(1u, 0u));
     let down = step_from(px, place, distance, vec2u(0u, 1u));
-    for (var part = 0u; part < SUMMARY; part++) {
-        var words = atomicLoad(&summary[part]);
-        while words != 0u {
-            let word = part * 32u + firstTrailingBit(words);
-            words &= words - 1u;
-            var numbers = atomicLoad(&hits[word]);
-            while numbers != 0u {
-                let number = word * 32u + firstTrailingBit(numbers);
-                numbers &= numbers - 1u;
-                let body = bodies[number];
-                if body.layer != known.layer {
-                    end_layer(&known);
-                    known.layer = body.layer;
-                }
-                if body.coat != known.coat {
-                    end_coat(distance, right, down, &known);
-                    known.coat = body.coat;
-                }
-                ask(body, place, distance, &known);
-            }
+    known.bits = atomicLoad(&whole);
+    var parts_left = atomicLoad(&parts);
+    var part = 0u;
+    var words = 0u;
+    var word = 0u;
+    var numbers = 0u;
+    while (parts_left | words | numbers) != 0u {
+        if (words | numbers) == 0u {
+            part = firstTrailingBit(parts_left);
+            parts_left &= parts_left - 1u;
+            words = atomicLoad(&summary[part]);
         }
+        if numbers == 0u {
+            word = part * 32u + firstTrailingBit(words);
+            words &= words - 1u;
+            numbers = atomicLoad(&hits[word]);
+        }
+        let number = word * 32u + firstTrailingBit(numbers);
+        numbers &= numbers - 1u;
+        let body = bodies[number];
+        if body.layer != known.layer {
+            end_layer(&known);
+            known.layer = body.layer;
+        }
+        if body.coat != known.coat {
+            end_coat(distance, right, down, &known);
+            known.coat = body.coat;
+        }
+        ask(body, place, distance, &known);
     }
     end_layer(&known);
     end_coat(distance, right, down, &known);
     return known.bits | (known.line << LAYER_BITS);
 }
 
-@compute @workgroup_size(256)
+@compute @workgroup_size(LANES)
 fn main(@builtin(workgroup_id) id: vec3u, @builtin(local_invocation_index) lane: u32) {
     let words = TILE_PX.x / 2u;
     let px = id.xy * TILE_PX + vec2u(lane % words * 2u, lane / words);

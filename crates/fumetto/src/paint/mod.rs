@@ -5,9 +5,10 @@
 //! ```text
 //! drops, strokes ─▶ orders ──────┐
 //!  (by the clock)   of each step ├▶ spread ──▶ measure ─▶ mask ─────▶ reveal
-//! pours ─▶ cells ─▶ orders ──────┘  vertices   least     what the    which look, which washes,
-//!          spill                    move       and most  layers show  whose line
-//!                                              radius    lies in
+//! pours ─▶ cells ─▶ orders ──────┤  vertices   least     what the    which look, which washes,
+//!          spill                 │  move       and most  layers show  whose line
+//! particles ─▶ touch ─▶ orders ──┘             radius    lies in
+//!   the ground
 //! ```
 //!
 //! **A volume is a radius in every direction.** The paper's vertices are particles on a ball; so are ours, and each
@@ -23,15 +24,17 @@
 mod cells;
 mod coat;
 mod floor;
+mod ground;
 mod group;
 mod mask;
 mod orders;
 mod scene;
 mod sphere;
 mod spread;
+mod stains;
 #[cfg(test)]
 mod tests;
 
 pub(crate) use mask::{Marks, Mask};
-pub(crate) use scene::PaintScene;
+pub(crate) use scene::{PaintScene, Surroundings};
 pub(crate) use spread::Spreading;

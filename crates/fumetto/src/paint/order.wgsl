@@ -9,3 +9,6 @@ struct Order {
     // 0: is not there. 1: comes now. 2: is there.
     state: u32,
 }
+
+const COMES: u32 = 1u;
+const IS_THERE: u32 = 2u;

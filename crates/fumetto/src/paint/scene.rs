@@ -1,17 +1,20 @@
 use std::collections::BTreeMap;
 
 use bytemuck::{Pod, Zeroable};
-use fumetto_scene::{Look, Paint, Scene};
+use fumetto_scene::{Look, Paint, Scene, Stain};
 use wgpu::util::DeviceExt as _;
 
 use super::{
     cells::Grid,
     coat::{Coat, Coats},
+    ground::Ground,
     group::{Firsts, Group},
     sphere::{Icosahedron, Sphere},
+    stains::Stains,
 };
 use crate::{
     gpu::{Frame, Gpu},
+    particles::Emission,
     shapes::mesh::Geometry,
 };
 
@@ -44,6 +47,9 @@ pub(super) struct Body {
 pub(crate) struct PaintScene {
     pub(super) groups: Vec<Group>,
     pub(super) grids: Vec<Grid>,
+    pub(super) stains: Vec<Stains>,
+    /// What particles touch, where these leave any stains.
+    pub(super) ground: Option<Ground>,
     pub(crate) coats: Coats,
     /// `Body`s of `body.wgsl`.
     pub(super) bodies: wgpu::Buffer,
@@ -56,6 +62,13 @@ pub(crate) struct PaintScene {
     pub(super) directions: wgpu::Buffer,
     pub(super) patches: wgpu::Buffer,
     pub(super) icosahedron: wgpu::Buffer,
+}
+
+/// What paint meets: models, and for each object by its number what it emits.
+#[derive(Clone, Copy)]
+pub(crate) struct Surroundings<'a> {
+    pub(crate) geometry: &'a Geometry,
+    pub(crate) emissions: &'a dyn Fn(usize) -> &'a [Emission],
 }
 
 /// Meshes of all sizes that volumes of a scene are made of.
@@ -83,6 +96,7 @@ impl Spheres {
 struct Listing {
     groups: Vec<Group>,
     grids: Vec<Grid>,
+    stains: Vec<Stains>,
     bodies: Vec<Body>,
     coats: Vec<Coat>,
     spheres: Spheres,
@@ -92,20 +106,24 @@ struct Listing {
 
 impl Listing {
     /// Adds a paint's volumes, layer by layer.
-    fn add(&mut self, gpu: &Gpu, paint: &Paint, coat: Coat, geometry: &Geometry, clock: (u32, f64)) {
-        let grid = Grid::new(gpu, paint, geometry, clock.0);
+    fn add(&mut self, gpu: &Gpu, paint: &Paint, coat: Coat, around: Surroundings<'_>, clock: (u32, f64)) {
+        let grid = Grid::new(gpu, paint, around.geometry, clock.0);
+        let stains_of = |stain: &Stain| Stains::of(gpu, paint, stain, (around.emissions)(stain.from));
+        let stains: Vec<_> = paint.stains.iter().flat_map(stains_of).collect();
         let pieces = paint.spread.subdivisions;
         let [direction, patch] = self.spheres.firsts(pieces);
         for layer in 0..paint.layers() {
             let listed = Group::listed(paint, &coat, layer, self.firsts(direction), clock);
             self.add_group(listed, [pieces, patch]);
-            if let Some(grid) = &grid {
-                let poured = Group::poured(paint, &coat, (grid, layer), self.firsts(direction), clock);
-                self.add_group(poured, [pieces, patch]);
+            let cells = grid.iter().map(|grid| grid.ordered(layer));
+            for ordered in cells.chain(stains.iter().map(|stains| stains.ordered(layer))) {
+                let group = Group::ordered(paint, &coat, (ordered, layer), self.firsts(direction), clock);
+                self.add_group(group, [pieces, patch]);
             }
             self.layers += 1;
         }
         self.grids.extend(grid);
+        self.stains.extend(stains);
         self.coats.push(coat);
     }
 
@@ -134,8 +152,13 @@ impl Listing {
 }
 
 impl PaintScene {
-    /// The paints that are visible, over the models of `geometry`.
-    pub(crate) fn new(gpu: &Gpu, scene: &Scene, geometry: &Geometry, seed_of: impl Fn(usize) -> u32) -> Self {
+    /// The paints that are visible.
+    pub(crate) fn new(
+        gpu: &Gpu,
+        scene: &Scene,
+        around: Surroundings<'_>,
+        seed_of: impl Fn(usize) -> u32,
+    ) -> Self {
         let mut listing = Listing::default();
         // Looks are numbered as `Scene::styled_looks` lists them, after the scene's own.
         let mut looks = 0;
@@ -153,14 +176,16 @@ impl PaintScene {
             if let Some(look) = &paint.outside {
                 outside = (number_of(look), *look == Look::Monochrome);
             }
-            listing.add(gpu, paint, coat, geometry, (seed_of(index), scene.time.step_secs()));
+            listing.add(gpu, paint, coat, around, (seed_of(index), scene.time.step_secs()));
         }
         let coats = Coats::new(&listing.coats, listing.bodies.len() as u32, outside);
-        Self::upload(gpu, listing, coats)
+        let largest_m = largest_particle(scene, around);
+        let ground = (!listing.stains.is_empty()).then(|| Ground::new(gpu, around.geometry, largest_m));
+        Self::upload(gpu, listing, coats, ground)
     }
 
-    fn upload(gpu: &Gpu, listing: Listing, coats: Coats) -> Self {
-        let Listing { groups, grids, bodies, spheres: Spheres { all, .. }, vertices, .. } = listing;
+    fn upload(gpu: &Gpu, listing: Listing, coats: Coats, ground: Option<Ground>) -> Self {
+        let Listing { groups, grids, stains, bodies, spheres: Spheres { all, .. }, vertices, .. } = listing;
         let list = |label, contents: &[u8], usage| {
             let nothing = [0; 64];
             let contents = if contents.is_empty() { &nothing } else { contents };
@@ -197,6 +222,8 @@ impl PaintScene {
             ),
             groups,
             grids,
+            stains,
+            ground,
         }
     }
 
@@ -228,7 +255,17 @@ impl PaintScene {
         for grid in &self.grids {
             grid.reset(frame);
         }
+        for stains in &self.stains {
+            stains.reset(frame);
+        }
     }
+}
+
+/// The radius of the largest particle that leaves a stain.
+fn largest_particle(scene: &Scene, around: Surroundings<'_>) -> f32 {
+    let stains = scene.paints().flat_map(|(_, paint)| &paint.stains);
+    let emissions = stains.flat_map(|stain| (around.emissions)(stain.from));
+    emissions.map(|emission| emission.emitter().largest_radius()).fold(0.0, f32::max)
 }
 
 #[cfg(test)]

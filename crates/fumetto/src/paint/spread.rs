@@ -1,12 +1,13 @@
 //! How volumes move, step by step.
 
-use super::{PaintScene, cells::Pouring, group::Group};
+use super::{PaintScene, cells::Pouring, group::Group, stains::Touching};
 use crate::gpu::{Frame, Gpu, Slot, folded, kernels, shader, workgroups};
 
 /// Long-lived kernels.
 #[derive(Debug)]
 pub(crate) struct Spreading {
     pouring: Pouring,
+    touching: Touching,
     spread: wgpu::ComputePipeline,
     run: wgpu::ComputePipeline,
     measure: wgpu::ComputePipeline,
@@ -18,7 +19,7 @@ impl Spreading {
         let slots = [Uniform, Read, Read, Write, Write, Write];
         let [spread, run] = kernels(gpu, shader!("paint/spread"), &slots, ["spread", "run"]);
         let [measure] = kernels(gpu, shader!("paint/measure"), &[Read, Write], ["main"]);
-        Self { pouring: Pouring::new(gpu), spread, run, measure }
+        Self { pouring: Pouring::new(gpu), touching: Touching::new(gpu), spread, run, measure }
     }
 
     /// Advances by the step from `step · dt` to `(step + 1) · dt`.
@@ -26,6 +27,11 @@ impl Spreading {
         let secs = [step as f64 * dt, (step + 1) as f64 * dt];
         for grid in &paints.grids {
             self.pouring.step(frame, grid, secs);
+        }
+        if let Some(ground) = &paints.ground {
+            for stains in &paints.stains {
+                self.touching.step(frame, stains, ground, (step, dt));
+            }
         }
         for group in &paints.groups {
             let orders = group.orders(frame, secs);

@@ -43,8 +43,6 @@ struct Run {
 @group(0) @binding(4) var<storage, read_write> runs: array<Run>;
 @group(0) @binding(5) var<storage, read_write> bodies: array<Body>;
 
-const COMES: u32 = 1u;
-
 // How far the ground lets paint go at a place: about -1 to 1.
 fn grain_at(place: vec3f) -> f32 {
     var sum = 0.0;

@@ -27,7 +27,7 @@ use crate::{
     details::{Details, Layer},
     gpu::{Frame, Gpu},
     ink::StrokeTextures,
-    paint::PaintScene,
+    paint::{PaintScene, Surroundings},
     particles::Plume,
     shapes::{
         mesh::{Geometry, MeshScene, Shells, candidates, seams},
@@ -129,7 +129,12 @@ impl Player {
         let candidates = candidates(&geometry, &crease_degs(&scene));
         let meshes = MeshScene::new(gpu, &geometry, &shells, &candidates, &seams)?;
         let strokes = if has_strokes { Some(load_strokes(gpu, &scene, &*assets)?) } else { None };
-        let paints = PaintScene::new(gpu, &scene, &geometry, |index| seed_of(&scene, index as u32));
+        let emissions = |index: usize| match objects.get(index).map(|object: &PlayedObject| &object.matter) {
+            Some(PlayedMatter::Smoke(plume)) => &*plume.emissions,
+            _ => &[],
+        };
+        let around = Surroundings { geometry: &geometry, emissions: &emissions };
+        let paints = PaintScene::new(gpu, &scene, around, |index| seed_of(&scene, index as u32));
         notes.extend(notes_on_paint(&scene, &objects, &geometry, &paints));
         let looks = Look::all(gpu, &scene, &details, &*assets)?;
         let backdrop = load_backdrop(gpu, &scene, &*assets)?;

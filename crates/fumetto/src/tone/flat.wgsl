@@ -219,12 +219,12 @@ fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
     var shine = 0.0;
     for (var i = 0u; i < lights.count; i++) {
         let light = lights.light[i];
-        let kept = shows_shadows && light.channel >= 0 && shadow[max(light.channel, 0)] >= 0.5;
+        let kept = select(0.0, kept_of(light, shadow), shows_shadows);
         let toward_light = toward(light, place);
-        amount += select(amount_of(i, seen, at, toward_light), 0.0, kept);
+        amount += amount_of(i, seen, at, toward_light) * (1.0 - kept);
         if HAS_HIGHLIGHT {
             let gloss = tones[seen.object].gloss;
-            shine = max(shine, select(blinn_phong(light, seen.normal, toward_light, at.toward_eye, gloss), 0.0, kept));
+            shine = max(shine, select(blinn_phong(light, seen.normal, toward_light, at.toward_eye, gloss), 0.0, kept >= 0.5));
         }
     }
     var colour = colour_of(seen, at, amount, shine);

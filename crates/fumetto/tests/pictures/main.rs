@@ -21,6 +21,7 @@ mod paint;
 mod relief;
 mod shadings;
 mod shadows;
+mod soft_shadows;
 mod stage;
 mod surface_lines;
 mod surface_shadows;

@@ -2,6 +2,7 @@
 
 mod pour;
 mod spread;
+mod stain;
 
 use std::{
     io,
