@@ -1,12 +1,12 @@
 //! Every way to shade, against theory.
 
-use std::{collections::BTreeSet, fmt::Write as _};
+use std::collections::BTreeSet;
 
 use fumetto_formats::Image;
 
 use crate::{
     models::{ball, square},
-    stage::{BACKGROUND, DISTANCE, Files, PX_PER_METRE, Picture, Rgb, SIDE, Stage, style},
+    stage::{BACKGROUND, DISTANCE, Files, Picture, Rgb, SIDE, Stage, style},
 };
 
 const DARK: Rgb = [0x30, 0x30, 0x40];
@@ -26,16 +26,16 @@ pub(crate) fn stage(style: String, direction: [f32; 3]) -> Stage {
 }
 
 /// A ball of 4 m, lit along `direction`.
-fn lit_ball(style: String, direction: [f32; 3]) -> Picture {
+pub(crate) fn lit_ball(style: String, direction: [f32; 3]) -> Picture {
     let files = Files::default().with("ball.obj", ball(RADIUS, 64)).with("ramp.png", rows());
     stage(style, direction).mesh("ball", "ball.obj", "").picture_with(files)
 }
 
-const FROM_CAMERA: [f32; 3] = [0.0, 0.0, -1.0];
+pub(crate) const FROM_CAMERA: [f32; 3] = [0.0, 0.0, -1.0];
 
 /// Where on the ball something is: `angle` from the axis to the eye.
 #[derive(Clone, Copy)]
-struct Spot {
+pub(crate) struct Spot {
     angle: f32,
 }
 
@@ -81,12 +81,12 @@ impl Spot {
 }
 
 #[track_caller]
-fn assert_share(picture: &Picture, colour: Rgb, expected: f32) {
+pub(crate) fn assert_share(picture: &Picture, colour: Rgb, expected: f32) {
     let share = picture.count(colour) as f32 / picture.drawn() as f32;
     assert!((share - expected).abs() < 0.006, "{share} of the ball is {colour:02x?}, should be {expected}");
 }
 
-fn png(width: u32, colours: &[Rgb]) -> Vec<u8> {
+pub(crate) fn png(width: u32, colours: &[Rgb]) -> Vec<u8> {
     let pixels = colours.iter().flat_map(|&[r, g, b]| [r, g, b, 255]).collect();
     let image = Image { width, height: colours.len() as u32 / width, pixels };
     let mut bytes = Vec::new();
@@ -95,14 +95,14 @@ fn png(width: u32, colours: &[Rgb]) -> Vec<u8> {
 }
 
 /// Four rows: dark on the left, light on the right.
-const ROWS: [[Rgb; 2]; 4] = [
+pub(crate) const ROWS: [[Rgb; 2]; 4] = [
     [[0x10, 0x11, 0x12], [0xf0, 0xf1, 0xf2]],
     [[0x20, 0x21, 0x22], [0xe0, 0xe1, 0xe2]],
     [[0x30, 0x31, 0x32], [0xd0, 0xd1, 0xd2]],
     [[0x40, 0x41, 0x42], [0xc0, 0xc1, 0xc2]],
 ];
 
-fn rows() -> Vec<u8> {
+pub(crate) fn rows() -> Vec<u8> {
     png(2, &ROWS.concat())
 }
 
@@ -179,61 +179,6 @@ fn a_rim_lies_on_the_lit_side_unless_it_may_lie_anywhere() {
     assert!(left == 0 && right > 1000, "{left} on the dark side, {right} on the lit one");
     let (left, right) = marked(0.0);
     assert!(left.abs_diff(right) < 20, "{left} and {right}");
-}
-
-#[test]
-fn rows_may_run_with_the_facing() {
-    for exponent in [1.0, 2.0_f32] {
-        let ramp = format!("ramp = {{ image = \"ramp.png\", rows = {{ facing = {exponent} }} }}");
-        let picture = lit_ball(shaded(&ramp, ""), FROM_CAMERA);
-        let within = |share: f32| Spot::where_is(share, |spot| spot.facing()[0].powf(exponent)).share();
-        // The ball's rim gets too little light for the right half of the ramp.
-        let lit = Spot::where_is(0.5, |spot| spot.angle.cos()).share();
-        assert_share(&picture, ROWS[0][1], within(0.75));
-        assert_share(&picture, ROWS[1][1], within(0.5).min(lit) - within(0.75));
-        let last = picture.count(ROWS[3][0]) + picture.count(ROWS[3][1]);
-        assert!((last as f32 / picture.drawn() as f32 - (1.0 - within(0.25))).abs() < 0.006, "{last}");
-    }
-}
-
-#[test]
-fn rows_may_run_with_the_distance() {
-    let style = shaded("ramp = { image = \"ramp.png\", rows = { depth = [6, 16] } }", "");
-    let places = [-1.5, -0.5, 0.5, 1.5].map(|x: f32| x * 2.0);
-    // The logarithm's quarters between 6 and 16 m end at 7.67, 9.8 and 12.5 m.
-    let distances = [7.0, 9.0, 11.0, 14.0];
-    let mut copies = String::new();
-    for (x, distance) in places.into_iter().zip(distances) {
-        let z = DISTANCE - distance;
-        write!(copies, "{{ position = [{}, 0, {z}], scale = 0.4 }},", x * distance / DISTANCE).unwrap();
-    }
-    let stage = stage(style, FROM_CAMERA).mesh("squares", "square.obj", &format!("transform = [{copies}]"));
-    let picture =
-        stage.picture_with(Files::default().with("square.obj", square(1.0)).with("ramp.png", rows()));
-    for (x, row) in places.into_iter().zip(ROWS) {
-        assert_eq!(picture.rgb((SIDE as f32 / 2.0 + x * PX_PER_METRE) as u32, SIDE / 2), row[1], "at {x}");
-    }
-}
-
-#[test]
-fn rows_may_run_from_a_focus() {
-    let rows_key = "rows = { focus = { center = [1, 0, 0], radius = [0.5, 2.5] } }";
-    let style = shaded(&format!("ramp = {{ image = \"ramp.png\", {rows_key} }}"), "");
-    let stage = stage(style, FROM_CAMERA).mesh("square", "square.obj", "");
-    let picture =
-        stage.picture_with(Files::default().with("square.obj", square(4.0)).with("ramp.png", rows()));
-    for (row, [inner, outer]) in ROWS.into_iter().zip([[0.0, 1.0], [1.0, 1.5], [1.5, 2.0_f32]]) {
-        let area = std::f32::consts::PI * (outer * outer - inner * inner) * PX_PER_METRE.powi(2);
-        let share = picture.count(row[1]) as f32 / area;
-        assert!((share - 1.0).abs() < 0.02, "{share}");
-    }
-}
-
-#[test]
-fn a_ramp_without_rows_is_its_middle_row() {
-    let named = lit_ball(shaded("ramp = \"ramp.png\"", ""), FROM_CAMERA);
-    assert_eq!(named.colours(), BTreeSet::from([BACKGROUND, ROWS[2][0], ROWS[2][1]]));
-    assert_eq!(lit_ball(shaded("ramp = { image = \"ramp.png\" }", ""), FROM_CAMERA), named);
 }
 
 #[test]
