@@ -4,12 +4,13 @@ use std::ops::Range;
 
 use bytemuck::{Pod, Zeroable};
 use fumetto_formats::{Image, Material, Model, Placed, Wrap};
-use fumetto_scene::{Mesh, Transform};
-use glam::{EulerRot, Mat4, Quat, Vec3};
+use fumetto_scene::Mesh;
+use glam::{Mat4, Vec3};
 use half::f16;
 
 use super::{
     pieces::pieces,
+    placements::placements,
     push::{Push, pushes},
     reserved::Reservation,
     smooth::MAX_SCALES,
@@ -195,47 +196,6 @@ impl Geometry {
     }
 }
 
-/// Where the corners of all triangles of `mesh`, which `model` holds, are at a moment.
-pub(crate) fn triangles_at(mesh: &Mesh, model: &Model, time_secs: f32) -> Vec<[Vec3; 3]> {
-    let of_part = |(placed, world_from_part): (Placed, Mat4)| {
-        let part = &model.parts[placed.part];
-        let corner =
-            move |corner: u32| world_from_part.transform_point3(part.positions[corner as usize].into());
-        part.triangles.iter().map(move |triangle| triangle.map(corner))
-    };
-    placements(mesh, model, time_secs).flat_map(of_part).collect()
-}
-
-/// Every part of every copy, and where it stands.
-fn placements<'a>(
-    mesh: &'a Mesh,
-    model: &Model,
-    time_secs: f32,
-) -> impl Iterator<Item = (Placed, Mat4)> + use<'a> {
-    let placed = model.placed(time_secs);
-    mesh.copies.iter().flat_map(move |copy| {
-        let world_from_model = world_from_file(copy, mesh.z_up);
-        let place = |placed: &Placed| {
-            let world_from_part = world_from_model * Mat4::from_cols_array_2d(&placed.world_from_part);
-            (*placed, world_from_part)
-        };
-        placed.iter().map(place).collect::<Vec<_>>()
-    })
-}
-
-/// Where a transform brings what a file holds, whose z axis may point up.
-pub(crate) fn world_from_file(transform: &Transform, z_up: bool) -> Mat4 {
-    let up = if z_up { Mat4::from_rotation_x(-std::f32::consts::FRAC_PI_2) } else { Mat4::IDENTITY };
-    matrix(transform) * up
-}
-
-fn matrix(transform: &Transform) -> Mat4 {
-    let [x, y, z] = transform.rotation_deg.map(f32::to_radians);
-    // About the x axis first, so it stands on the right.
-    let rotation = Quat::from_euler(EulerRot::ZYX, z, y, x);
-    Mat4::from_scale_rotation_translation(transform.scale.into(), rotation, transform.position.into())
-}
-
 /// As `octahedral_packed` of `octahedral.wgsl`.
 pub(crate) fn octahedral(normal: Vec3) -> u32 {
     let [x, y, z] = (normal / normal.abs().element_sum().max(1e-20)).to_array();
@@ -267,6 +227,7 @@ fn look(material: &Material) -> u32 {
 #[cfg(test)]
 pub(super) mod tests {
     use fumetto_formats::ModelOptions;
+    use fumetto_scene::Transform;
 
     use super::*;
     use crate::gpu::layout_test;
