@@ -1,15 +1,18 @@
-"""Compares Fumetto's volumes with a plain ray march and with Mitsuba 3, on the same density and at the same error.
+"""Compares Fumetto's volumes with a plain ray march, Mitsuba 3 and Blender's Cycles, on the same density and at the same
+error.
 
 Run it from the repository's root, after `cargo build --release -p fumetto-bench -p fumetto-cli`:
 
     python3 tools/bench/volumes.py [--bin target/release] [--voxels 128 256]
 
-It needs NumPy, Pillow and a C compiler, and measures Mitsuba too if there is the module (`pip install mitsuba`). The
+It needs NumPy, Pillow and a C compiler, and measures Mitsuba too if there is the module (`pip install mitsuba`), and
+Cycles if there is Blender (Debian and Ubuntu: blender and python3-openvdb). `--without` leaves these out. The
 density is that of `crates/fumetto-bench/src/imported.rs`; light is scattered once, at 640 x 480. The truth is the plain
 march in steps of a voxel. Of every program the cheapest picture counts that is within an RMSE of 0.01 of it:
 
 - *Fumetto*: the march, as its benchmark tells, and the grid of light, which is the difference of two of its columns.
 - *plain*: `march.c`, compiled for this machine, in two threads, without a grid of light or leaps over what is empty.
+- *Cycles*: `cycles.py`, with no bounces in volumes; its half a voxel beside the file's place is made up for.
 - *Mitsuba*: `volpath` with two events, `llvm_ad_rgb`, or scalar if there is no LLVM; twice the samples until it is good.
 
 Times are the fastest of several rounds, and all take turns, so that whatever else the machine does hits all alike.
@@ -18,6 +21,7 @@ Times are the fastest of several rounds, and all take turns, so that whatever el
 import argparse
 import csv
 import pathlib
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -137,7 +141,22 @@ def mitsuba(field, truth):
     return None
 
 
-def compare(folder, binaries, voxels):
+def cycles(folder, voxels, truth):
+    """Step in voxels, samples a pixel, milliseconds and error, or None without Blender."""
+    if not shutil.which("blender"):
+        return None
+    truth.astype(np.float32).tofile(folder / "truth.raw")
+    script = pathlib.Path(__file__).parent / "cycles.py"
+    words = ["blender", "-b", "-P", script, "--", folder, str(voxels), str(WANTED)]
+    log = subprocess.run(words, check=True, capture_output=True, text=True).stdout
+    told = next((line.split() for line in log.splitlines() if line.startswith("CYCLES")), ["", "none"])
+    if told[1] == "none":
+        print(f"Cycles does not come within {WANTED}: {' '.join(told)}", file=sys.stderr)
+        return None
+    return int(told[1]), int(told[2]), float(told[3]), float(told[4])
+
+
+def compare(folder, binaries, voxels, without):
     field = density(voxels)
     field.tofile(folder / "density.raw")
     np.save(folder / "density.npy", np.ascontiguousarray(field.transpose(2, 1, 0)))
@@ -153,7 +172,10 @@ def compare(folder, binaries, voxels):
     errors = {step: rmse(ours(folder, binaries, voxels, step), truth) for step in OURS}
     spent, step = min(pair for pair in tried if errors[pair[1]] <= WANTED)
     rows.append(("Fumetto", f"steps of {step} voxels, {light:.0f} ms of it light", spent, errors[step]))
-    theirs = mitsuba(field, truth)
+    theirs = None if "cycles" in without else cycles(folder, voxels, truth)
+    if theirs:
+        rows.append(("Cycles", f"{theirs[1]} samples, steps of {theirs[0]} voxels", theirs[2], theirs[3]))
+    theirs = None if "mitsuba" in without else mitsuba(field, truth)
     if theirs:
         rows.append(("Mitsuba", f"{theirs[0]} samples", theirs[1], theirs[2]))
     for name, how, spent, error in rows:
@@ -164,6 +186,7 @@ def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--bin", type=pathlib.Path, default=pathlib.Path("target/release"))
     parser.add_argument("--voxels", type=int, nargs="+", default=[128, 256])
+    parser.add_argument("--without", nargs="*", choices=["cycles", "mitsuba"], default=[])
     args = parser.parse_args()
     source = pathlib.Path(__file__).parent / "march.c"
     with tempfile.TemporaryDirectory() as name:
@@ -172,7 +195,7 @@ def main():
         subprocess.run(["cc", *flags, source, "-o", folder / "march", "-lm"], check=True)
         print("| density | program | how | ms | RMSE | times as fast |\n|---|---|---|---|---|---|")
         for voxels in args.voxels:
-            compare(folder, args.bin.absolute(), voxels)
+            compare(folder, args.bin.absolute(), voxels, args.without)
     return 0
 
 

@@ -202,6 +202,36 @@ fn puff_fuzzy_looks_as_it_did() {
 }
 
 #[test]
+fn dust_cloud_looks_as_it_did() {
+    check("dust-cloud", 20);
+}
+
+#[test]
+fn haze_looks_as_it_did() {
+    check("haze", 0);
+}
+
+#[test]
+fn smoke_ring_looks_as_it_did() {
+    check("smoke-ring", 48);
+}
+
+#[test]
+fn plasma_looks_as_it_did() {
+    check("plasma", 36);
+}
+
+#[test]
+fn imported_looks_as_it_did() {
+    check("imported", 28);
+}
+
+#[test]
+fn shell_looks_as_it_did() {
+    check("shell", 0);
+}
+
+#[test]
 fn paint_looks_as_it_did() {
     check("paint", 100);
 }
