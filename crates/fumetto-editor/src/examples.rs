@@ -55,6 +55,7 @@ pub(crate) const EXAMPLES: &[Example] = &[
     ),
     example!("genie", "Smoke out of a lamp, with a drawing behind it", "lamp.png"),
     example!("paint-pour", "Paint that finds its way down steps", "steps.glb"),
+    example!("paint-powder", "Powder that colours what it touches", "cottage.glb"),
     example!("obstacle", "Smoke that flows round what stands in its way", "balls.glb"),
 ];
 

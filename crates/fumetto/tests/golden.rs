@@ -247,11 +247,6 @@ fn powder_tints_what_it_touches_as_it_did() {
 }
 
 #[test]
-fn day_and_night_look_as_they_did() {
-    check("day-night", 84);
-}
-
-#[test]
 fn soft_shadows_look_as_they_did() {
     check("soft-shadow", 0);
 }

@@ -245,7 +245,9 @@ impl PaintScene {
     /// What the next step needs beside that.
     pub(crate) fn hidden(&self) -> impl Iterator<Item = &wgpu::Buffer> {
         let runs = (!self.is_empty()).then_some(&self.runs);
-        runs.into_iter().chain(self.grids.iter().map(Grid::states))
+        runs.into_iter()
+            .chain(self.grids.iter().map(Grid::states))
+            .chain(self.stains.iter().map(Stains::states))
     }
 
     /// Back to before anything fell.

@@ -72,7 +72,9 @@ impl Stains {
             gpu.device.create_buffer(&wgpu::BufferDescriptor {
                 label: Some(label),
                 size: room.volumes() * bytes,
-                usage: wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST,
+                usage: wgpu::BufferUsages::STORAGE
+                    | wgpu::BufferUsages::COPY_DST
+                    | wgpu::BufferUsages::COPY_SRC,
                 mapped_at_creation: false,
             })
         };
@@ -107,6 +109,11 @@ impl Stains {
     /// The volumes of a wash.
     pub(super) fn ordered(&self, layer: u32) -> Ordered<'_> {
         Ordered { count: self.count(), orders: &self.washes[layer as usize].1, blend_m: self.blend_m }
+    }
+
+    /// What has been touched so far: `Stain`s of `touch.wgsl`.
+    pub(super) fn states(&self) -> &wgpu::Buffer {
+        &self.stains
     }
 
     /// Back to before anything was touched.

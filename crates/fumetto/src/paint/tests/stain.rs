@@ -1,27 +1,9 @@
 //! Paint that particles leave on what they touch.
 
-use bytemuck::{Pod, Zeroable};
 use fumetto_scene::{Scene, SceneText};
 
-use super::{Body, Model, engine};
-use crate::{Engine, Player, gpu::read_buffer};
-
-/// `Particle` of `state.wgsl`.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
-struct Particle {
-    position: [f32; 3],
-    age: f32,
-    velocity: [f32; 3],
-    life: f32,
-    carried: [f32; 3],
-    radius: f32,
-    mass: f32,
-    birth: u32,
-    pad: [u32; 2],
-}
-
-crate::gpu::layout_test!(particles_are_read_back_as_they_are: Particle, "Particle" of "paint/touch" { position, age, velocity, life, carried, radius, mass, birth });
+use super::{Body, Model, bodies_at, engine};
+use crate::{Engine, Extent, Player, gpu::read_buffer, particles::Particle};
 
 /// A level floor of 8 by 8 metres.
 const FLOOR: &str = "v -4 0 -4\nv 4 0 -4\nv 4 0 4\nv -4 0 4\nf 4 3 2 1\n";
@@ -47,7 +29,7 @@ fn play(engine: &Engine, (emitter, force): (&str, &str), stain: &str, model: &'s
 }
 
 fn stains_at(engine: &Engine, player: &mut Player, frame: u32) -> Vec<Body> {
-    let mut bodies = super::bodies_at(engine, player, frame);
+    let mut bodies = bodies_at(engine, player, frame);
     bodies.retain(|body| body.far > 0.0);
     bodies
 }
@@ -57,7 +39,7 @@ fn alive_at(engine: &Engine, player: &mut Player, frame: u32) -> usize {
     let plume = player.plumes().next().expect("there is rain");
     let particles: Vec<Particle> =
         read_buffer(engine.gpu(), plume.emissions[0].particles()).expect("the device lives");
-    particles.iter().filter(|particle| particle.age < particle.life).count()
+    particles.iter().filter(|particle| !particle.is_dead()).count()
 }
 
 /// Ten drops over the floor, fast enough to fall through it in one step.
@@ -126,25 +108,39 @@ fn as_many_stay_as_should_and_the_oldest_give_way() {
         "",
     );
     let mut player = play(&engine, shower, "ends = true, every = 2, most = 40", FLOOR);
-    let room = super::bodies_at(&engine, &mut player, 0).len();
+    let room = bodies_at(&engine, &mut player, 0).len();
     assert!((40..66).contains(&room), "{room}");
     let early = stains_at(&engine, &mut player, 20).len();
     assert!((8..24).contains(&early), "half of 2 a frame, less those that fall: {early}");
     assert_eq!(stains_at(&engine, &mut player, 400).len(), room);
 }
 
+/// Drops of all sizes that gusts blow about.
+const GUSTY: (&str, &str) = (
+    "shape = { box = { center = [0, 2, 0], size = [4, 1, 4] } }, rate = 60, velocity = [0, -1, 0], life = [1, 3], \
+     radius = [0.05, 0.2], radius_over_life = [[0, 0.5], [1, 2]]",
+    "{ kind = \"gravity\" }, { kind = \"turbulence\", speed = 0.5, scale = 1 }, { kind = \"drag\", rate = 0.5 }",
+);
+
 #[test]
 fn whichever_way_time_goes_stains_are_alike() {
     let engine = engine();
-    let gusty = (
-        "shape = { box = { center = [0, 2, 0], size = [4, 1, 4] } }, rate = 60, velocity = [0, -1, 0], life = [1, 3], \
-         radius = [0.05, 0.2], radius_over_life = [[0, 0.5], [1, 2]]",
-        "{ kind = \"gravity\" }, { kind = \"turbulence\", speed = 0.5, scale = 1 }, { kind = \"drag\", rate = 0.5 }",
-    );
-    let mut player = play(&engine, gusty, "most = 300", FLOOR);
-    let mut bytes =
-        |frame| bytemuck::cast_slice::<_, u8>(&super::bodies_at(&engine, &mut player, frame)).to_vec();
+    let mut player = play(&engine, GUSTY, "most = 300", FLOOR);
+    let mut bytes = |frame| bytemuck::cast_slice::<_, u8>(&bodies_at(&engine, &mut player, frame)).to_vec();
     let once = bytes(60);
     assert!(once != bytes(61));
     assert!(once == bytes(60));
+}
+
+#[test]
+fn stains_that_are_put_back_go_on() {
+    let engine = engine();
+    let mut straight = play(&engine, GUSTY, "most = 300, ends = true", FLOOR);
+    engine.seek(&mut straight, 40).expect("there are no files to miss");
+    let middle = engine.snapshot(&straight, Extent::Whole).expect("the device lives");
+    let bytes = |player: &mut Player| bytemuck::cast_slice::<_, u8>(&bodies_at(&engine, player, 60)).to_vec();
+    let end = bytes(&mut straight);
+    let mut resumed = play(&engine, GUSTY, "most = 300, ends = true", FLOOR);
+    engine.recall(&mut resumed, &middle).expect("it is of the same scene");
+    assert!(bytes(&mut resumed) == end);
 }
