@@ -24,6 +24,7 @@ fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let shadow = select(hard, before, gathering.soft > vec4f(0.5));
     let one = select(0.0, 1.0, textureSampleLevel(kept, linear, at, 0.0).x >= 0.5);
     // Counted in whole lights: eight bits hold shares of few exactly enough.
-    let count = round(shadow * gathering.members) + one;
+    let own = select(vec4f(0.0), shadow, gathering.soft > vec4f(0.5));
+    let count = round(own * gathering.members) + one;
     return select(shadow, count / gathering.members, gathering.channel > vec4f(0.5));
 }

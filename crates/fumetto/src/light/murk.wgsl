@@ -25,7 +25,8 @@ fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let place = view.world_from_view[3].xyz + world_ray(position.xy) * distance_of(depth);
     for (var i = 0u; i < lights.count; i++) {
         let light = lights.light[i];
-        if light.channel >= 0 {
+        // Those of clusters come one by one.
+        if light.channel >= 0 && light.members == 0.0 {
             let opacity = 1.0 - exp(-depth_toward(light, place));
             let kept = clamp(0.5 + STEEP * (opacity - recipe.murk), 0.0, 1.0);
             shadow[light.channel] = max(shadow[light.channel], kept);

@@ -91,3 +91,22 @@ fn lights_in_one_place_throw_the_shadow_of_one() {
     assert!(differing <= SIDE as usize, "{differing}");
     assert!(hard.count(grey(0)) > 10_000, "there is a shadow");
 }
+
+#[test]
+fn a_light_beside_a_cluster_changes_none_of_its_shadows() {
+    let style = style(&["#101010", "#404040", "#707070", "#a0a0a0", "#d0d0d0"], "")
+        .replace("shadow = { on = false }", "shadow = { on = true }");
+    let draw = |light: String| {
+        let stage = Stage { light, style: style.clone(), ..Stage::default() };
+        let stage = stage.mesh("wall", "wall.obj", "");
+        let cloud = "soft = 1, extinction = 3, cells = 32, light_cells = 32";
+        let stage = stage.volume("cloud", &[[-3.0, 0.0, 3.0, 1.0]], cloud, "");
+        stage.picture_with(Files::default().with("wall.obj", WALL))
+    };
+    let cluster = "kind = \"sun\", direction = [1, 0, -1], cluster = { lights = 4, angle = 5 }";
+    let alone = draw(cluster.to_owned());
+    let beside = draw(format!("kind = \"sun\", direction = [1, 0, -1], intensity = 0 }}, {{ {cluster}"));
+    assert!(alone.colours().len() > 3, "the cloud's shadow fades");
+    let differing = alone.places().filter(|&(x, y)| alone.rgb(x, y) != beside.rgb(x, y)).count();
+    assert_eq!(differing, 0);
+}
