@@ -279,7 +279,7 @@ mod tests {
         let corners = [Vec3::new(0.0, 8.0, 8.0), Vec3::new(16.0, 8.0, 8.0), Vec3::new(16.0, 8.5, 8.5)];
         let facets = [Facet { corners, velocity: Vec3::ZERO }; 100];
         let inside = vec![false; 16 * 16 * 16];
-        assert!(Nearest::of(&facets, cells, &inside, 100_000).is_some());
+        assert!(Nearest::of(&facets, cells, &inside, 1_000_000).is_some());
         assert!(Nearest::of(&facets, cells, &inside, 10_000).is_none());
     }
 }
