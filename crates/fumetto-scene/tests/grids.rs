@@ -113,10 +113,13 @@ fn the_cost_of_air_is_told_beforehand() {
     assert!((1_200_000_000..1_300_000_000).contains(&plan.bytes()), "{}", plan.bytes());
 
     // No more eddies than there are particles, and what obstacles are in every cell.
-    let bytes = |keys: &str, emitter: &str| scene(keys, emitter).requirements()[0].grid.unwrap().bytes();
-    let eddying = grid.replace("cells", "eddies = { count = 100 }, cells");
+    let bytes = |keys: &str, emitter: &str| {
+        let scene = load(&format!("{START}{keys}\n[object.emitter]\n{emitter}\n")).unwrap().0;
+        scene.requirements()[0].grid.unwrap().bytes()
+    };
+    let eddying = grid.replace("cells", "eddies = { count = 100, radius = 0.1, strength = 1 }, cells");
     assert_eq!(bytes(&eddying, &format!("count = 300\n{POINT}")), plan.bytes() + 32 * 100);
     assert_eq!(bytes(&eddying, &format!("count = 60\n{POINT}")), plan.bytes() + 32 * 60);
     let wall = "[[object]]\nname = \"wall\"\nkind = \"mesh\"\nmodel = \"wall.obj\"\nobstacle = true";
-    assert_eq!(bytes(grid, &format!("{POINT}\n{wall}")), plan.bytes() + (8 << 24));
+    assert_eq!(bytes(grid, &format!("count = 60\n{POINT}\n{wall}")), plan.bytes() + (8 << 24));
 }

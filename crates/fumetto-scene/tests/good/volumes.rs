@@ -1,9 +1,8 @@
 //! Volumes, made of particles and out of files, and what they cost.
 
-use super::{common::load_with, good, set, smoke};
+use super::{common::load_with, good, set};
 use fumetto_scene::{
-    Colour, Imported, Matter, Noise, Particle, Profile, Raw, RawNumber, SceneText, Transform, Volume,
-    VolumeNoise,
+    Colour, Imported, Matter, Particle, Profile, Raw, RawNumber, SceneText, Transform, Volume, VolumeNoise,
 };
 
 /// The volume `shape` of a ball of radius 1 and one of 0.5, whose middles are 4 m apart.
