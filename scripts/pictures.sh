@@ -46,6 +46,7 @@ draw obstacle obstacle.png --frame 30 "${large[@]}"
 draw explosion-grid explosion-grid.png --frame 24 "${large[@]}"
 draw metamorphosis metamorphosis.png --frame 60 "${large[@]}"
 draw shell shell.png --size 480x648
+draw cloud-shadow cloud-shadow.png "${large[@]}"
 draw storm storm.png "${large[@]}"
 draw puff-fuzzy puff-fuzzy.png "${large[@]}"
 draw engraving engraving.png --size 960x540 # strokes want room

@@ -98,7 +98,7 @@ def main():
     truth = np.fromfile(folder / "truth.raw", dtype=np.float32).reshape(HEIGHT, WIDTH)
     rmse = lambda picture: float(np.sqrt(np.mean((picture - truth) ** 2)))
     # Blender up to 4.5 draws a file half a voxel beside where it says.
-    tried = [(rmse(draw(scene(volume(folder, voxels, shift)), folder, 16, 1)[1]), shift) for shift in (0, -0.5)]
+    tried = [(rmse(draw(scene(volume(folder, voxels, shift)), folder, 4, 1)[1]), shift) for shift in (0, -0.5)]
     here = scene(volume(folder, voxels, min(tried)[1]))
     found = []
     for rate in (1, 4):

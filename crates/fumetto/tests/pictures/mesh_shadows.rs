@@ -70,7 +70,7 @@ fn in_square(place: Vec2, middle: [f32; 2], half: f32) -> bool {
 }
 
 /// Pixels of a square metre of the wall, less the border of so many metres.
-pub(crate) fn pixels(square_metres: f32, border: f32) -> usize {
+fn pixels(square_metres: f32, border: f32) -> usize {
     (PX_PER_METRE * (PX_PER_METRE * square_metres - border)) as usize
 }
 

@@ -4,8 +4,8 @@ use std::{collections::BTreeSet, fmt::Write as _};
 
 use crate::{
     models::square,
-    shadings::{FROM_CAMERA, ROWS, Spot, assert_share, lit_ball, png, rows, shaded, stage},
-    stage::{BACKGROUND, DISTANCE, Files, PX_PER_METRE, SIDE, style},
+    shadings::{FROM_CAMERA, ROWS, Spot, assert_share, lit_ball, rows, shaded, stage},
+    stage::{BACKGROUND, DISTANCE, Files, PX_PER_METRE, SIDE},
 };
 
 #[test]

@@ -36,7 +36,7 @@ pub(crate) const FROM_CAMERA: [f32; 3] = [0.0, 0.0, -1.0];
 /// Where on the ball something is: `angle` from the axis to the eye.
 #[derive(Clone, Copy)]
 pub(crate) struct Spot {
-    angle: f32,
+    pub(crate) angle: f32,
 }
 
 impl Spot {
@@ -46,7 +46,7 @@ impl Spot {
     }
 
     /// Cosine and sine between the normal and the direction to the eye.
-    fn facing(self) -> [f32; 2] {
+    pub(crate) fn facing(self) -> [f32; 2] {
         let (sin, cos) = self.angle.sin_cos();
         let eye = [-RADIUS * sin, DISTANCE - RADIUS * cos];
         let length = eye[0].hypot(eye[1]);
@@ -61,7 +61,7 @@ impl Spot {
     }
 
     /// Share of the ball's picture that lies nearer the middle.
-    fn share(self) -> f32 {
+    pub(crate) fn share(self) -> f32 {
         let edge = |spot: Self| {
             let (sin, cos) = spot.angle.sin_cos();
             RADIUS * sin / (DISTANCE - RADIUS * cos)
@@ -70,7 +70,7 @@ impl Spot {
     }
 
     /// Where `falling` comes down to `value`.
-    fn where_is(value: f32, falling: impl Fn(Self) -> f32) -> Self {
+    pub(crate) fn where_is(value: f32, falling: impl Fn(Self) -> f32) -> Self {
         let (mut near, mut far) = (0.0, Self::horizon().angle);
         for _ in 0..40 {
             let middle = 0.5 * (near + far);
@@ -86,7 +86,7 @@ pub(crate) fn assert_share(picture: &Picture, colour: Rgb, expected: f32) {
     assert!((share - expected).abs() < 0.006, "{share} of the ball is {colour:02x?}, should be {expected}");
 }
 
-pub(crate) fn png(width: u32, colours: &[Rgb]) -> Vec<u8> {
+fn png(width: u32, colours: &[Rgb]) -> Vec<u8> {
     let pixels = colours.iter().flat_map(|&[r, g, b]| [r, g, b, 255]).collect();
     let image = Image { width, height: colours.len() as u32 / width, pixels };
     let mut bytes = Vec::new();

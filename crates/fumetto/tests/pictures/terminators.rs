@@ -1,9 +1,9 @@
 //! Where light ends on models, by their own shadows.
 
 use crate::{
-    mesh_shadows::{LIT, SHADOW, SUN, pixels, two_tones},
+    mesh_shadows::{LIT, SHADOW, SUN, two_tones},
     models::{ball, square},
-    stage::{Files, Stage, style},
+    stage::{Files, Stage},
 };
 
 /// A round model alone, which looks the same with its shadows and without.
