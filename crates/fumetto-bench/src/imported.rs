@@ -24,6 +24,8 @@ pub(crate) const IMPORTED: Subsystem = Subsystem {
     sizes: &[64, 128, 256],
     variants: &[
         "load",
+        "load, surface 64",
+        "load, surface 128",
         "load, light 32",
         "load, light 64",
         "load, light 128",
@@ -55,17 +57,21 @@ struct Case {
     soft: f32,
     /// Over the default step.
     steps: f32,
+    /// Cells of an iso-surface in place of what light goes through.
+    surface: Option<u32>,
     /// The picture's size, where one is drawn; else the file is read anew.
     size: Option<[u32; 2]>,
 }
 
 impl Case {
-    const LOAD: Self = Self { light: 0, soft: 1.0, steps: 1.0, size: None };
+    const LOAD: Self = Self { light: 0, soft: 1.0, steps: 1.0, surface: None, size: None };
     const SOFT: Self = Self { light: 64, size: Some([640, 480]), ..Self::LOAD };
 
     fn of(variant: &str) -> Option<Self> {
         Some(match variant {
             "load" => Self::LOAD,
+            "load, surface 64" => Self { surface: Some(64), ..Self::LOAD },
+            "load, surface 128" => Self { surface: Some(128), ..Self::LOAD },
             "load, light 32" => Self { light: 32, ..Self::LOAD },
             "load, light 64" => Self { light: 64, ..Self::LOAD },
             "load, light 128" => Self { light: 128, ..Self::LOAD },
@@ -83,10 +89,16 @@ impl Case {
     /// A sequence, so that every frame reads a file. The camera and the light are those of
     /// `tools/bench/volumes.py`.
     fn scene(&self, voxels: u32) -> String {
-        let Self { light, soft, steps, size } = self;
+        let Self { light, soft, steps, surface, size } = self;
         let [width, height] = size.unwrap_or([16, 16]);
         let (shadow, cells) = (*light > 0, (*light).max(4));
         let step = steps / voxels as f32;
+        let shape = match surface {
+            Some(cells) => format!("surface = {{ threshold = 0.5, subdivisions = {cells} }}"),
+            None => format!(
+                "volume = {{ soft = {soft:?}, extinction = 6, light_cells = {cells}, step = {step} }}"
+            ),
+        };
         format!(
             r##"
 format = 1
@@ -99,7 +111,7 @@ style = {{ ink = {{ on = false }}, shadow = {{ on = {shadow} }} }}
 name = "ball"
 kind = "volume"
 volume = "ball.#.vdb"
-shape = {{ volume = {{ soft = {soft:?}, extinction = 6, light_cells = {cells}, step = {step} }} }}
+shape = {{ {shape} }}
 "##
         )
     }
@@ -199,7 +211,7 @@ mod tests {
         let cases: Vec<_> = IMPORTED.variants.iter().map(|variant| Case::of(variant).unwrap()).collect();
         for (index, case) in cases.iter().enumerate() {
             let scene = scene::load("imported", &case.scene(64)).unwrap();
-            assert!(scene.objects[0].shape.volume().is_some());
+            assert_eq!(scene.objects[0].shape.surface().is_some(), case.surface.is_some());
             assert!(cases[..index].iter().all(|other| other != case));
         }
     }

@@ -227,6 +227,11 @@ fn imported_looks_as_it_did() {
 }
 
 #[test]
+fn cloud_shadow_looks_as_it_did() {
+    check("cloud-shadow", 0);
+}
+
+#[test]
 fn shell_looks_as_it_did() {
     check("shell", 0);
 }
