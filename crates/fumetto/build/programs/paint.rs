@@ -5,5 +5,8 @@ pub(super) const PROGRAMS: Programs = &[
     ("paint/touch", &["particles/state", "paint/order", "paint/ground", "paint/touch"]),
     ("paint/spread", &["gpu/random", "gpu/noise", "paint/body", "paint/order", "paint/spread"]),
     ("paint/measure", &["paint/body", "paint/measure"]),
-    ("paint/mask", &["gpu/view", "paint/body", "paint/coat", "paint/sphere", "paint/mask"]),
+    (
+        "paint/mask",
+        &["gpu/view", "paint/body", "paint/coat", "paint/sphere", "paint/find", "paint/known", "paint/mask"],
+    ),
 ];
