@@ -45,7 +45,7 @@ draw chimney-wind chimney-wind.png --frame 130 "${large[@]}"
 draw obstacle obstacle.png --frame 30 "${large[@]}"
 draw explosion-grid explosion-grid.png --frame 24 "${large[@]}"
 draw metamorphosis metamorphosis.png --frame 60 "${large[@]}"
-draw shell shell.png --size 480x648
+draw shell shell.png --size 400x540
 draw cloud-shadow cloud-shadow.png "${large[@]}"
 draw storm storm.png "${large[@]}"
 draw puff-fuzzy puff-fuzzy.png "${large[@]}"
