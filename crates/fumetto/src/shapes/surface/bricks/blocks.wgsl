@@ -24,11 +24,11 @@ fn extremes_of(brick: vec3i, sides: vec3i) -> vec2f {
     if any(brick < vec3i(0)) || any(brick >= sides) {
         return vec2f(0.0);
     }
-    let slot = slot_of(vec3u(brick) * BRICK).x;
-    if slot == 0u {
+    let entry = entry_of(vec3u(brick));
+    if !entry.is_kept {
         return vec2f(0.0);
     }
-    return extremes[slot - 1u];
+    return extremes[(entry.slot.z * bricks.slots.y + entry.slot.y) * bricks.slots.x + entry.slot.x];
 }
 
 // Whether noise at its strongest leaves the surface away from a place of such a density. The field with noise is told

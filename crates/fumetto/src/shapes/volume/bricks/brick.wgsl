@@ -5,8 +5,8 @@
 // the texture unit. Nodes of 16³ bricks tell where each brick lies in the atlas, and one table where each node does.
 
 @group(0) @binding(3) var<storage, read> bricks: BrickGrid;
-// For each node where its bricks begin here, or 0; then for each brick of those nodes its slot in the atlas, from 1
-// on, or 0.
+// For each node where its bricks begin here, or 0; then for each brick of those nodes where it lies in the atlas, or,
+// without matter, how many bricks it is away from one that has some.
 @group(0) @binding(4) var<storage, read> table: array<u32>;
 // Density, and density times heat.
 @group(0) @binding(5) var atlas: texture_3d<f32>;
@@ -35,6 +35,10 @@ const BRICK: u32 = 8u;
 const SIDE_IN_ATLAS: u32 = 9u;
 const NODE: u32 = 16u;
 
+// Of a kept brick's entry, and its bits for each coordinate in the atlas. Also in `table.rs`.
+const IS_KEPT: u32 = 2147483648u;
+const SLOT_BITS: u32 = 8u;
+
 fn cell_of(place: vec3f) -> vec3f {
     return (bricks.voxel_from_world * vec4f(place, 1.0)).xyz;
 }
@@ -47,16 +51,27 @@ fn slope_in_world(slope: vec3f) -> vec3f {
     return (vec4f(slope, 0.0) * bricks.voxel_from_world).xyz;
 }
 
-// The slot of the brick that a voxel is in, or 0, and how many voxels wide the void around it is.
-fn slot_of(voxel: vec3u) -> vec2u {
-    let brick = voxel / BRICK;
+// What the table tells of a brick.
+struct Entry {
+    is_kept: bool,
+    // Of a kept one: its place in the atlas, in bricks. To number slots instead would take whole divisions here, which
+    // a processor that draws does one by one.
+    slot: vec3u,
+    // Of any other: first brick of a void around it, and how many it is wide.
+    low: vec3i,
+    width: u32,
+}
+
+fn entry_of(brick: vec3u) -> Entry {
     let node = brick / NODE;
     let first = table[(node.z * bricks.nodes.y + node.y) * bricks.nodes.x + node.x];
     if first == 0u {
-        return vec2u(0u, BRICK * NODE);
+        return Entry(false, vec3u(0u), vec3i(node * NODE), NODE);
     }
     let within = brick % NODE;
-    return vec2u(table[first + (within.z * NODE + within.y) * NODE + within.x], BRICK);
+    let entry = table[first + (within.z * NODE + within.y) * NODE + within.x];
+    let slot = (vec3u(entry) >> vec3u(0u, SLOT_BITS, 2u * SLOT_BITS)) & vec3u((1u << SLOT_BITS) - 1u);
+    return Entry((entry & IS_KEPT) != 0u, slot, vec3i(brick) - i32(entry) + 1, 2u * entry - 1u);
 }
 
 fn is_outside(at: vec3f) -> bool {
@@ -68,13 +83,11 @@ fn sample_at(at: vec3f) -> vec4f {
         return vec4f(0.0);
     }
     let voxel = vec3u(at);
-    let slot = slot_of(voxel).x;
-    if slot == 0u {
+    let entry = entry_of(voxel / BRICK);
+    if !entry.is_kept {
         return vec4f(0.0);
     }
-    let number = slot - 1u;
-    let corner = vec3u(number, number / bricks.slots.x, number / (bricks.slots.x * bricks.slots.y)) % bricks.slots;
-    let texel = vec3f(corner * SIDE_IN_ATLAS) + 0.5 + (at - vec3f(voxel / BRICK * BRICK));
+    let texel = vec3f(entry.slot * SIDE_IN_ATLAS) + 0.5 + (at - vec3f(voxel / BRICK * BRICK));
     return textureSampleLevel(atlas, linear, texel / vec3f(bricks.slots * SIDE_IN_ATLAS), 0.0);
 }
 

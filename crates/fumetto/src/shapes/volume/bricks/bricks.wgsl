@@ -15,8 +15,8 @@ fn high_end() -> vec3f {
 
 fn void_at(at: vec3f) -> Void {
     let voxel = vec3u(clamp(at, vec3f(0.0), vec3f(bricks.nodes * (BRICK * NODE)) - 0.5));
-    let slot = slot_of(voxel);
-    return Void(vec3f(voxel / slot.y * slot.y), select(0.0, f32(slot.y), slot.x == 0u));
+    let entry = entry_of(voxel / BRICK);
+    return Void(vec3f(entry.low * i32(BRICK)), select(f32(entry.width * BRICK), 0.0, entry.is_kept));
 }
 
 fn heat_of(sample: vec4f) -> f32 {

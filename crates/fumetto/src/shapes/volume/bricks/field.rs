@@ -4,7 +4,7 @@ use fumetto_scene::limits::MAX_VOLUME_BYTES;
 use glam::{Mat4, Vec3};
 use wgpu::util::DeviceExt as _;
 
-use super::{BrickMap, ImportError, samples::SIDE};
+use super::{BrickMap, ImportError, samples::SIDE, table::table};
 use crate::gpu::Gpu;
 
 /// `BrickGrid` of `bricks.wgsl`.
@@ -69,7 +69,7 @@ impl BrickField {
                 usage: wgpu::BufferUsages::STORAGE,
             })
         };
-        let table: &[u32] = if map.table.is_empty() { &[0] } else { &map.table };
+        let table = table(map, slots);
         let extremes: &[[f32; 2]] = if map.extremes.is_empty() { &[[0.0; 2]] } else { &map.extremes };
         let written = wgpu::TextureUsages::STORAGE_BINDING | wgpu::TextureUsages::TEXTURE_BINDING;
         let halves =
@@ -78,7 +78,7 @@ impl BrickField {
         let sides = slots.map(|side| side * SIDE as u32);
         let field = Self {
             grid: buffer("shapes.volume.bricks.grid", bytemuck::bytes_of(&grid)),
-            table: buffer("shapes.volume.bricks.table", bytemuck::cast_slice(table)),
+            table: buffer("shapes.volume.bricks.table", bytemuck::cast_slice(&table)),
             extremes: buffer("shapes.volume.bricks.extremes", bytemuck::cast_slice(extremes)),
             atlas: texture(gpu, "shapes.volume.bricks.atlas", sides, (halves, read)),
             transmitted: texture(

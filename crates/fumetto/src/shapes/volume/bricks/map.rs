@@ -14,8 +14,8 @@ use super::{
     samples::{IN_BRICK, SIDE, Samples},
 };
 
-/// Bricks along a node's side. Also in `bricks.wgsl`.
-const NODE: i32 = 16;
+/// Bricks along a node's side. Also in `brick.wgsl`.
+pub(super) const NODE: i32 = 16;
 
 /// Voxels along a node's side.
 const NODE_VOXELS: i32 = NODE * BRICK_SIDE;
@@ -83,8 +83,8 @@ impl BrickMap {
                 map.voxels += own_voxels(&density);
                 lobes.add(origin, &density);
                 let voxel = [0, 1, 2].map(|axis| (f64::from(origin[axis]) - corner[axis]) as usize);
-                let slot = map.keep(&density, heat.as_ref(), &mut uniform)?;
-                map.enter(voxel, slot);
+                let number = map.keep(&density, heat.as_ref(), &mut uniform)?;
+                map.enter(voxel.map(|index| index / BRICK_SIDE as usize), number);
             }
         }
         map.lobes = lobes.balls();
@@ -166,22 +166,30 @@ impl BrickMap {
         Ok(number)
     }
 
-    /// Notes where a brick lies that begins at a voxel.
-    fn enter(&mut self, voxel: [usize; 3], number: u32) {
-        let within = |side: usize, [x, y, z]: [usize; 3], [width, height]: [usize; 2]| {
-            ((z / side) * height + y / side) * width + x / side
-        };
-        let [width, height, _] = self.nodes.map(|side| side as usize);
-        let node = within(NODE_VOXELS as usize, voxel, [width, height]);
+    /// Notes the number of a brick.
+    fn enter(&mut self, brick: [usize; 3], number: u32) {
+        let nodes = self.nodes.map(|side| side as usize);
+        let node = within(brick.map(|index| index / NODE as usize), nodes);
         if self.table[node] == 0 {
             self.table[node] = self.table.len() as u32;
             self.table.resize(self.table.len() + IN_NODE, 0);
         }
-        let in_node = voxel.map(|i| i % NODE_VOXELS as usize);
-        let brick = within(BRICK_SIDE as usize, in_node, [NODE as usize; 2]);
-        let first = self.table[node] as usize;
-        self.table[first + brick] = number + 1;
+        if let Some(entry) = entry_of(&self.table, nodes, brick) {
+            self.table[entry] = number + 1;
+        }
     }
+}
+
+/// The index of a cell in a box.
+fn within([x, y, z]: [usize; 3], [width, height, _]: [usize; 3]) -> usize {
+    (z * height + y) * width + x
+}
+
+/// Where the table tells of a brick, if its node has any.
+pub(super) fn entry_of(table: &[u32], nodes: [usize; 3], brick: [usize; 3]) -> Option<usize> {
+    let side = NODE as usize;
+    let first = table[within(brick.map(|index| index / side), nodes)] as usize;
+    (first > 0).then(|| first + within(brick.map(|index| index % side), [side; 3]))
 }
 
 /// Where bricks begin that may hold matter, those included that only share a layer with one that does.

@@ -24,6 +24,7 @@ mod field;
 mod lobes;
 mod map;
 mod samples;
+mod table;
 
 pub use error::ImportError;
 pub(crate) use field::BrickField;
