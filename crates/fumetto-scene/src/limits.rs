@@ -191,6 +191,8 @@ pub const INSIDE: Limit = Limit::open(0.0, 1.0);
 pub const VOLUME_CELLS: Limit = Limit::closed(8.0, 512.0);
 /// Cells of the light in it.
 pub const LIGHT_CELLS: Limit = Limit::closed(4.0, 256.0);
+/// Sides of the squares of pixels that share a line of sight.
+pub const VOLUME_PIXELS: Limit = Limit::closed(1.0, 8.0);
 /// Voxels along a side of a file without a header.
 pub const RAW_SIDE: Limit = Limit::closed(1.0, 65_536.0);
 /// What multiplies these.

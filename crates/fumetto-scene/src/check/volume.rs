@@ -44,6 +44,7 @@ pub(super) fn volume(at: &At<'_>, file: &VolumeFile, is_imported: bool) -> Volum
         } else {
             STEP_CELLS
         },
+        pixels: file.pixels,
         lobe_m: file.lobe,
     }
 }

@@ -61,6 +61,11 @@ pub struct VolumeFile {
     /// Length of a step along the line of sight in metres, above 0. Default: half a cell, or half a voxel.
     #[schemars(transform = &limits::LENGTH)]
     pub step: Option<f32>,
+    /// Sides, in pixels, of the squares that one line of sight is followed for, 1 to 8. Above 1 light is blended between
+    /// them, as far as what is solid lies as far away: for soft matter without fine edges, and for a quick look.
+    /// Default 1.
+    #[schemars(transform = &limits::VOLUME_PIXELS)]
+    pub pixels: u32,
     /// Multiplies `cells` and `light_cells`, and shortens the default step, above 0, to 4: less for a quick look.
     /// Default 1.
     #[schemars(transform = &limits::QUALITY)]
@@ -85,6 +90,7 @@ impl Default for VolumeFile {
             light_cells: 64,
             lobe: None,
             step: None,
+            pixels: 1,
             quality: 1.0,
         }
     }

@@ -34,6 +34,8 @@ pub struct Volume {
     pub step_m: Option<f32>,
     /// Where that is not given: in cells, or in the voxels of a file.
     pub step_cells: f32,
+    /// Along the side of a square that one line of sight is followed for, 1 to 8.
+    pub pixels: u32,
     /// Radius of the lobes of a volume out of a file; above zero. An eighth of its longest side where it is not
     /// given.
     pub lobe_m: Option<f32>,

@@ -36,6 +36,7 @@ fn every_key_of_a_volume_reaches_it() {
         light_cells: 64,
         step_m: None,
         step_cells: 0.5,
+        pixels: 1,
         lobe_m: None,
     };
     assert_eq!(two_puffs("").0, plain);
@@ -65,6 +66,7 @@ fn every_key_of_a_volume_reaches_it() {
         light_cells: 20,
         step_m: Some(0.125),
         step_cells: 0.5,
+        pixels: 1,
         lobe_m: None,
     };
     let keys = "extinction = 9, profile = \"linear\", edge = 0.25, size = 2, glow = 0.75, soft = 0.5, \

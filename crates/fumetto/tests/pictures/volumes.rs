@@ -50,6 +50,22 @@ fn rays_end_at_what_is_solid() {
 }
 
 #[test]
+fn squares_of_pixels_end_where_what_is_solid_does() {
+    let post = "v -1 -9 0\nv 1 -9 0\nv 1 9 0\nv -1 9 0\nf 1 2 3 4\n";
+    let seen = |pixels: u32| {
+        let shape = format!("soft = 1, extinction = 2, colours = [[0, 0, 0]], cells = 96, pixels = {pixels}");
+        let stage = stage().volume("dark", &[[0.0, 0.0, -3.0, 2.0]], &shape, "");
+        stage.mesh("post", "post.obj", "").picture_with(Files::default().with("post.obj", post))
+    };
+    let [each, squares] = [1, 4].map(seen);
+    let edge = MIDDLE + PX_PER_METRE as u32;
+    for x in edge - 4..edge + 4 {
+        let [one, other] = [&each, &squares].map(|picture| picture.rgb(x, MIDDLE)[0]);
+        assert!(one.abs_diff(other) < 16, "{one} and {other} at {x}, where the post ends at {edge}");
+    }
+}
+
+#[test]
 fn puffs_hide_what_lies_behind_them() {
     let picture = dark(&[[0.0, 0.0, -4.0, 2.0]]).balls("ball", &[[0.0, 0.0, 0.0, 2.0]], "").picture();
     assert_eq!(picture.rgb(MIDDLE, MIDDLE), [0xff; 3]);

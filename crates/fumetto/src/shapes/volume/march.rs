@@ -1,11 +1,14 @@
 //! Rays through volumes, for one picture.
+//!
+//! Where one ray stands for a square of pixels, rays are followed into layers of their own, as coarse as that, and from
+//! there brought to the pixels.
 
 use super::{
     field::{Field, view},
     scene::{Made, VolumeScene},
 };
 use crate::{
-    gpu::{Frame, Gpu, RasterPipeline, Target, linear_sampler, shader},
+    gpu::{Frame, Gpu, RasterPipeline, Target, Transient, linear_sampler, shader},
     layers::{self, Layers},
     shapes::puffs::Subject,
 };
@@ -15,6 +18,7 @@ use crate::{
 pub(crate) struct March {
     march: wgpu::RenderPipeline,
     march_bricks: wgpu::RenderPipeline,
+    spread: wgpu::RenderPipeline,
     place: wgpu::RenderPipeline,
     linear: wgpu::Sampler,
 }
@@ -35,13 +39,14 @@ impl March {
         Self {
             march: build(shader!("shapes/volume/march"), march("shapes.volume.march")),
             march_bricks: build(shader!("shapes/volume/bricks/march"), march("shapes.volume.bricks.march")),
+            spread: build(shader!("shapes/volume/spread"), march("shapes.volume.spread")),
             place: build(shader!("shapes/volume/place"), place),
             linear: linear_sampler(gpu),
         }
     }
 
-    /// Follows every pixel's ray through the volumes of the objects that `members` numbers, one after the other,
-    /// up to what the layers hold; and brings the surfaces that it meets into the layers.
+    /// Follows rays through the volumes of the objects that `members` numbers, one after the other, up to what the
+    /// layers hold; and brings the surfaces that they meet into the layers.
     pub(crate) fn record(
         &self,
         frame: &mut Frame<'_>,
@@ -53,7 +58,19 @@ impl March {
             if number == 0 {
                 layers.add_volumes(frame);
             }
-            self.march(frame, subject, volume, layers, number == 0);
+            let recipe = frame.uniform("shapes.volume.recipe", &volume.recipe.uniform(0.0));
+            let is_first = number == 0;
+            match volume.recipe.volume.pixels {
+                1 => {
+                    let target = Filled::of(layers).target(is_first);
+                    self.march(frame, subject, (volume, &recipe), layers, target);
+                }
+                pixels => {
+                    let coarse = Coarse::new(frame, layers.size, pixels);
+                    self.march(frame, subject, (volume, &recipe), layers, coarse.filled().target(true));
+                    self.spread(frame, subject, (&coarse, &recipe), layers, is_first);
+                }
+            }
             frame.fullscreen(
                 "shapes.volume.place",
                 &self.place,
@@ -67,14 +84,10 @@ impl March {
         &self,
         frame: &mut Frame<'_>,
         subject: Subject<'_>,
-        volume: &Made,
+        (volume, recipe): (&Made, &wgpu::Buffer),
         layers: &Layers,
-        first: bool,
+        target: Target<'_>,
     ) {
-        let recipe = frame.uniform("shapes.volume.recipe", &volume.recipe.uniform(0.0));
-        let clear = first.then_some(wgpu::Color::TRANSPARENT);
-        let colours = vec![(&*layers.hits, clear), (&*layers.light, clear), (&*layers.soft, clear)];
-        let target = Target { colours, depth: None };
         let (label, pipeline, [grid, spaces], [density, transmitted]) = match &volume.field {
             Field::Cells(field) => {
                 let textures = [&field.density, &field.transmitted].map(view);
@@ -99,5 +112,67 @@ impl March {
         let owners = volume.field.owners().map(view);
         bindings.extend(owners.as_ref().map(wgpu::BindingResource::TextureView));
         frame.fullscreen(label, pipeline, target, &bindings);
+    }
+
+    /// Brings to each pixel what was found for squares of them.
+    fn spread(
+        &self,
+        frame: &mut Frame<'_>,
+        subject: Subject<'_>,
+        (coarse, recipe): (&Coarse, &wgpu::Buffer),
+        layers: &Layers,
+        is_first: bool,
+    ) {
+        let bindings = [
+            subject.view.as_entire_binding(),
+            recipe.as_entire_binding(),
+            wgpu::BindingResource::TextureView(&layers.depth),
+            wgpu::BindingResource::TextureView(&coarse.hits),
+            wgpu::BindingResource::TextureView(&coarse.light),
+            wgpu::BindingResource::TextureView(&coarse.soft),
+        ];
+        let target = Filled::of(layers).target(is_first);
+        frame.fullscreen("shapes.volume.spread", &self.spread, target, &bindings);
+    }
+}
+
+/// Where one ray stands for a square of pixels: what layers have of volumes, of a texel to a square.
+#[derive(Debug)]
+struct Coarse {
+    hits: Transient,
+    light: Transient,
+    soft: Transient,
+}
+
+impl Coarse {
+    fn new(frame: &Frame<'_>, size: [u32; 2], pixels: u32) -> Self {
+        // Squares begin where the picture does, which may be in the middle of one here; and there is one more all round
+        // (`squares.wgsl`).
+        let size = size.map(|side| side.div_ceil(pixels) + 3);
+        Self {
+            hits: frame.texture("shapes.volume.hits", size, layers::HITS_FORMAT),
+            light: frame.texture("shapes.volume.light", size, layers::LIGHT_FORMAT),
+            soft: frame.texture("shapes.volume.soft", size, layers::SOFT_FORMAT),
+        }
+    }
+
+    fn filled(&self) -> Filled<'_> {
+        Filled([&self.hits, &self.light, &self.soft])
+    }
+}
+
+/// The layers that rays fill: hits, light and soft.
+#[derive(Debug)]
+struct Filled<'a>([&'a Transient; 3]);
+
+impl<'a> Filled<'a> {
+    fn of(layers: &'a Layers) -> Self {
+        Self([&layers.hits, &layers.light, &layers.soft])
+    }
+
+    /// Emptied before, or as they are.
+    fn target(self, empty: bool) -> Target<'a> {
+        let clear = empty.then_some(wgpu::Color::TRANSPARENT);
+        Target { colours: self.0.into_iter().map(|layer| (&**layer, clear)).collect(), depth: None }
     }
 }

@@ -1,5 +1,4 @@
-// Follows each pixel's line of sight through the field, up to what is solid (Normoyle, "Volumetric Clouds"):
-// per step the transmittance falls by exp(-extinction * step * density), and what the step takes away of it is
+// Follows lines of sight through the field, up to what is solid (Normoyle, "Volumetric Clouds"): per step the transmittance falls by exp(-extinction * step * density), and what the step takes away of it is
 // its share of the picture.
 //
 // The paper takes the transmittance after the step, and divides by the extinction; taken before it, the sum of
@@ -45,7 +44,7 @@ fn sight_of(px: vec2f) -> Sight {
     let eye = cell_of(view.world_from_view[3].xyz);
     let ray = cells_along(way);
     let ends = ends_of(eye, ray, low_end(), high_end());
-    let depth = textureLoad(depth_layer, vec2i(px), 0);
+    let depth = solid_depth(px);
     let solid = select(3e38, distance_of(depth), depth > 0.0);
     return Sight(eye, ray, max(ends.x, view.near), min(ends.y, solid), way);
 }
@@ -53,7 +52,9 @@ fn sight_of(px: vec2f) -> Sight {
 // The part of a step at which it is sampled. The pattern stays where it is on the picture, so that a paused one
 // is still (Jimenez, "Next Generation Post Processing in Call of Duty", 2014). A drawn surface wants none.
 fn sampled_at(px: vec2f) -> f32 {
-    let noise = fract(52.9829189 * fract(dot(floor(px), vec2f(0.06711056, 0.00583715))));
+    // Neighbouring tiles of a picture share one pattern.
+    let square = floor((px + view.first_px) / recipe.pixels);
+    let noise = fract(52.9829189 * fract(dot(square, vec2f(0.06711056, 0.00583715))));
     return select(0.5, noise, recipe.soft > 0.0);
 }
 
@@ -136,6 +137,7 @@ fn normal_at(at: vec3f, toward_eye: vec3f) -> vec3f {
 
 // What was gathered on the way to the surface.
 struct Met {
+    is_surface: bool,
     // In metres before the camera.
     distance: f32,
     colour: vec3f,
@@ -144,6 +146,9 @@ struct Met {
 }
 
 fn surface_of(sight: Sight, px: vec2f, met: Met) -> vec4u {
+    if !met.is_surface {
+        return vec4u(0u);
+    }
     let at = sight.eye + sight.ray * met.distance;
     let normal = normal_at(at, -normalize(sight.way));
     return vec4u(
@@ -158,14 +163,14 @@ fn surface_of(sight: Sight, px: vec2f, met: Met) -> vec4u {
 fn fragment(@builtin(position) position: vec4f) -> Marched {
     // Nothing is discarded before the end: with a discard ahead of loops, llvmpipe (LLVM 15) loses the pixels of which
     // a triangle covers only some.
-    let sight = sight_of(position.xy);
+    let px = px_of_square(position.xy);
+    let sight = sight_of(px);
     // Metres and cells along the line of sight to a metre before the camera.
     let stretch = length(sight.way);
     let cells = length(sight.ray);
     let wanted = select(recipe.step_m / stretch, recipe.step_cells / cells, recipe.step_m == 0.0);
     let step = max(max(wanted, 1.0 / (FINEST * cells)), (sight.end - sight.begin) / MOST_STEPS);
-    // Neighbouring tiles of a picture share one pattern.
-    let offset = sampled_at(position.xy + view.first_px);
+    let offset = sampled_at(px);
     let everywhere = light_everywhere();
     let channels = light_of_channels();
     let light_size = light_side() * vec3f(light_sides());
@@ -174,6 +179,7 @@ fn fragment(@builtin(position) position: vec4f) -> Marched {
     var seen = vec3f(0.0);
     var matter = vec4f(0.0);
     var lit = vec4f(0.0);
+    var met: Met;
     var marched: Marched;
     var number = 0.0;
     while left > SPENT && !is_nothing() {
@@ -191,11 +197,10 @@ fn fragment(@builtin(position) position: vec4f) -> Marched {
         matter += share * vec4f(colour, heat);
         lit += share * light;
         let after = left - share;
-        if marched.hit.x == 0u && after <= 1.0 - recipe.surface {
+        if !met.is_surface && after <= 1.0 - recipe.surface {
             let into = log(left / (1.0 - recipe.surface)) / optical;
             let mean = matter / (1.0 - after);
-            let met = Met(next.start + clamp(into, 0.0, 1.0) * next.part, mean.rgb, mean.a);
-            marched.hit = surface_of(sight, position.xy, met);
+            met = Met(true, next.start + clamp(into, 0.0, 1.0) * next.part, mean.rgb, mean.a);
             marched.light = lit / (1.0 - after);
             if recipe.soft == 0.0 {
                 break;
@@ -203,9 +208,11 @@ fn fragment(@builtin(position) position: vec4f) -> Marched {
         }
         left = after;
     }
-    if marched.hit.x == 0u && (recipe.soft == 0.0 || left == 1.0) {
+    if !met.is_surface && (recipe.soft == 0.0 || left == 1.0) {
         discard;
     }
+    // Not in the loop, where a processor that draws would look for the normal in every step.
+    marched.hit = surface_of(sight, px, met);
     let opacity = select(1.0 - left, 1.0, left <= SPENT);
     marched.soft = vec4f(seen, opacity);
     return marched;

@@ -41,6 +41,8 @@ pub(crate) struct RecipeUniform {
     shadows: u32,
     step_cells: f32,
     murk: f32,
+    pixels: f32,
+    pad: [f32; 3],
     colours: [[f32; 4]; limits::MAX_COLOURS],
 }
 
@@ -86,6 +88,8 @@ impl Recipe {
             shadows: u32::from(self.shadows),
             step_cells: volume.step_cells,
             murk: if self.casts { volume.shadow } else { 0.0 },
+            pixels: volume.pixels as f32,
+            pad: [0.0; 3],
             colours,
         }
     }
@@ -96,5 +100,5 @@ mod tests {
     use super::*;
     use crate::gpu::layout_test;
 
-    layout_test!(lies_as_its_twin: RecipeUniform, "Recipe" of "shapes/volume/march" { first, count, is_linear, edge, amplitude, frequency, octaves, persistence, lacunarity, seed, billow, moves, drift, colour_count, extinction, glow, soft, surface, step_m, shadows, step_cells, murk, colours });
+    layout_test!(lies_as_its_twin: RecipeUniform, "Recipe" of "shapes/volume/march" { first, count, is_linear, edge, amplitude, frequency, octaves, persistence, lacunarity, seed, billow, moves, drift, colour_count, extinction, glow, soft, surface, step_m, shadows, step_cells, murk, pixels, colours });
 }

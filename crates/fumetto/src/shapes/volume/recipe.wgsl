@@ -33,6 +33,8 @@ struct Recipe {
     step_cells: f32,
     // The opacity from which on it keeps light from other things; zero where it does not.
     murk: f32,
+    // Along the side of a square that one line of sight is followed for.
+    pixels: f32,
     // Linear.
     colours: array<vec4f, 8>,
 }

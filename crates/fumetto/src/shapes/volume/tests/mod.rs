@@ -70,18 +70,29 @@ fn play(bench: &Bench, lights: &str, particles: &str, volume: &str) -> Player {
 }
 
 fn marched(bench: &Bench, player: &Player) -> Soft {
+    marched_in(bench, player, Region::whole([SIDE; 2]))
+}
+
+/// A part of the picture.
+fn marched_in(bench: &Bench, player: &Player, region: Region) -> Soft {
     let gpu = bench.engine.gpu();
     let mut frame = Frame::new(gpu, &bench.pool, "test");
-    let view = View::new(&player.scene().cameras[0], Region::whole([SIDE; 2]));
+    let view = View::new(&player.scene().cameras[0], region);
     let view = frame.uniform("test.view", &view.uniform);
     let lights = frame.uniform("test.lights", &LightsUniform::of(player.scene()));
     let subject =
         Subject { scene: &player.puffs, meshes: &player.meshes, view: &view, lights: &lights, pens: &view };
-    let mut layers = Layers::new(&frame, [SIDE; 2]);
+    let mut layers = Layers::new(&frame, region.size);
     layers.begin(&mut frame, None);
     bench.march.record(&mut frame, subject, (&player.volumes, &[0]), &mut layers);
     frame.submit();
     halves(gpu, layers.soft.texture())
+}
+
+/// What is seen of `particles` in a part of the picture.
+fn seen_in(region: Region, particles: &str, volume: &str) -> Soft {
+    let bench = BENCH.lock().unwrap_or_else(PoisonError::into_inner);
+    marched_in(&bench, &play(&bench, "", particles, volume), region)
 }
 
 /// What is seen of `particles`.

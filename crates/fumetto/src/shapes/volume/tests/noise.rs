@@ -37,6 +37,7 @@ fn recipe(noise: VolumeNoise) -> Recipe {
         light_cells: 4,
         step_m: None,
         step_cells: 0.5,
+        pixels: 1,
         lobe_m: None,
     };
     Recipe { volume, puffs: 0..1, moves: false, shadows: false, casts: false }

@@ -1,6 +1,7 @@
 //! What is left of a ray behind matter whose density is known.
 
-use super::{AWAY, SIDE, Soft, seen};
+use super::{AWAY, SIDE, Soft, seen, seen_in};
+use crate::gpu::Region;
 
 /// Metres by which the ray through each pixel misses the origin.
 fn misses() -> impl Iterator<Item = f64> {
@@ -55,6 +56,43 @@ fn steps_converge_by_their_square() {
     };
     let [coarse, fine] = [error(0.2), error(0.1)];
     assert!(coarse / fine > 2.8, "{coarse} and {fine}");
+}
+
+/// A soft ball whose lines of sight each stand for a square of pixels.
+fn in_squares(pixels: u32) -> String {
+    format!("extinction = {EXTINCTION}, cells = 64, profile = \"linear\", pixels = {pixels}")
+}
+
+const SOFT_BALL: &str = "{ center = [0, 0, 0], radius = 1 }";
+
+#[test]
+fn what_is_soft_is_blended_between_squares_of_pixels() {
+    let each = seen(SOFT_BALL, &in_squares(1));
+    for pixels in [2, 3] {
+        let errors: Vec<f32> = seen(SOFT_BALL, &in_squares(pixels))
+            .iter()
+            .zip(&each)
+            .map(|(a, b)| (a[3] - b[3]).abs())
+            .collect();
+        let mean = errors.iter().sum::<f32>() / errors.len() as f32;
+        let most = errors.iter().copied().fold(0.0, f32::max);
+        assert!(mean < 0.003, "{mean} on average with squares of {pixels}");
+        assert!(most < 0.05, "{most} at most with squares of {pixels}");
+    }
+}
+
+#[test]
+fn parts_of_a_picture_share_its_squares_of_pixels() {
+    let whole = seen(SOFT_BALL, &in_squares(3));
+    let part = Region { picture: [SIDE; 2], first: [13, 20], size: [31, 17] };
+    let seen = seen_in(part, SOFT_BALL, &in_squares(3));
+    for (index, texel) in seen.iter().enumerate() {
+        let [x, y] = [index as u32 % part.size[0], index as u32 / part.size[0]];
+        let expected = whole[((part.first[1] + y) * SIDE + part.first[0] + x) as usize];
+        // They are rounded elsewhere.
+        let apart = (texel[3] - expected[3]).abs();
+        assert!(apart < 1e-3, "{texel:?} and {expected:?} at {x}, {y} of the part");
+    }
 }
 
 #[test]
