@@ -34,11 +34,25 @@ pub(crate) const IMPORTED: Subsystem = Subsystem {
         "soft 640x480, steps of 2 voxels",
         "soft 640x480, steps of 4 voxels",
         "soft 640x480, steps of 8 voxels",
+        "soft 640x480, steps of 4 voxels, squares of 2 pixels",
+        "soft 640x480, steps of 8 voxels, squares of 2 pixels",
+        "empty 640x480",
         "soft 1280x720",
+        "soft 1280x720, steps of 2 voxels",
+        "soft 1280x720, steps of 8 voxels",
         "drawn 1280x720",
     ],
     measure,
 };
+
+/// Of the largest lumps.
+const FREQUENCY: f32 = 9.0;
+
+/// Of the smallest lumps, over the voxels: half a wave of them is as long as four voxels.
+const FINEST: f32 = std::f32::consts::PI / 8.0;
+
+/// How high lumps are over those twice as large.
+const PERSISTENCE: f32 = 0.7;
 
 /// The file, whatever it is called.
 struct File(Arc<Vec<u8>>);
@@ -57,6 +71,10 @@ struct Case {
     soft: f32,
     /// Over the default step.
     steps: f32,
+    /// Along the side of the square that a ray stands for.
+    pixels: u32,
+    /// Whether there is anything to see.
+    seen: bool,
     /// Cells of an iso-surface in place of what light goes through.
     surface: Option<u32>,
     /// The picture's size, where one is drawn; else the file is read anew.
@@ -64,7 +82,8 @@ struct Case {
 }
 
 impl Case {
-    const LOAD: Self = Self { light: 0, soft: 1.0, steps: 1.0, surface: None, size: None };
+    const LOAD: Self =
+        Self { light: 0, soft: 1.0, steps: 1.0, pixels: 1, seen: true, surface: None, size: None };
     const SOFT: Self = Self { light: 64, size: Some([640, 480]), ..Self::LOAD };
 
     fn of(variant: &str) -> Option<Self> {
@@ -80,7 +99,16 @@ impl Case {
             "soft 640x480, steps of 2 voxels" => Self { steps: 4.0, light: 32, ..Self::SOFT },
             "soft 640x480, steps of 4 voxels" => Self { steps: 8.0, light: 32, ..Self::SOFT },
             "soft 640x480, steps of 8 voxels" => Self { steps: 16.0, light: 32, ..Self::SOFT },
+            "soft 640x480, steps of 4 voxels, squares of 2 pixels" => {
+                Self { steps: 8.0, light: 32, pixels: 2, ..Self::SOFT }
+            }
+            "soft 640x480, steps of 8 voxels, squares of 2 pixels" => {
+                Self { steps: 16.0, light: 32, pixels: 2, ..Self::SOFT }
+            }
+            "empty 640x480" => Self { seen: false, light: 32, ..Self::SOFT },
             "soft 1280x720" => Self { size: Some([1280, 720]), ..Self::SOFT },
+            "soft 1280x720, steps of 2 voxels" => Self { steps: 4.0, size: Some([1280, 720]), ..Self::SOFT },
+            "soft 1280x720, steps of 8 voxels" => Self { steps: 16.0, size: Some([1280, 720]), ..Self::SOFT },
             "drawn 1280x720" => Self { soft: 0.0, size: Some([1280, 720]), ..Self::SOFT },
             _ => return None,
         })
@@ -89,14 +117,14 @@ impl Case {
     /// A sequence, so that every frame reads a file. The camera and the light are those of
     /// `tools/bench/volumes.py`.
     fn scene(&self, voxels: u32) -> String {
-        let Self { light, soft, steps, surface, size } = self;
+        let Self { light, soft, steps, pixels, seen, surface, size } = self;
         let [width, height] = size.unwrap_or([16, 16]);
         let (shadow, cells) = (*light > 0, (*light).max(4));
         let step = steps / voxels as f32;
         let shape = match surface {
             Some(cells) => format!("surface = {{ threshold = 0.5, subdivisions = {cells} }}"),
             None => format!(
-                "volume = {{ soft = {soft:?}, extinction = 6, light_cells = {cells}, step = {step} }}"
+                "volume = {{ soft = {soft:?}, extinction = 6, light_cells = {cells}, step = {step}, pixels = {pixels} }}"
             ),
         };
         format!(
@@ -110,6 +138,7 @@ style = {{ ink = {{ on = false }}, shadow = {{ on = {shadow} }} }}
 [[object]]
 name = "ball"
 kind = "volume"
+visible = {seen}
 volume = "ball.#.vdb"
 shape = {{ {shape} }}
 "##
@@ -117,11 +146,18 @@ shape = {{ {shape} }}
     }
 }
 
-/// The density at a place between -1 and 1, as in `tools/bench/volumes.py`.
-fn density([x, y, z]: [f32; 3]) -> f32 {
-    let lumps = (9.0 * x).sin() * (9.0 * y + 1.0).sin() * (9.0 * z + 2.0).sin();
+/// The density at a place between -1 and 1, as in `tools/bench/volumes.py`: a ball with lumps on lumps, down to some that
+/// are four voxels wide.
+fn density([x, y, z]: [f32; 3], voxels: u32) -> f32 {
+    let octaves = (voxels as f32 * FINEST / FREQUENCY).log2().floor() as i32;
+    let lump = |octave: i32| {
+        let frequency = FREQUENCY * 2_f32.powi(octave);
+        let wave = |place: f32, shift: f32| (frequency * place + shift).sin();
+        PERSISTENCE.powi(octave) * wave(x, 0.0) * wave(y, 1.0) * wave(z, 2.0)
+    };
+    let lumps: f32 = (0..=octaves).map(lump).sum();
     let radius = (x * x + y * y + z * z).sqrt();
-    (6.0 * (0.75 - radius + 0.15 * lumps)).clamp(0.0, 1.0)
+    (12.0 * (0.75 - radius + 0.15 * lumps)).clamp(0.0, 1.0)
 }
 
 /// A file of so many voxels along each side of a box from -1 to 1.
@@ -129,7 +165,7 @@ fn file(voxels: u32) -> anyhow::Result<Vec<u8>> {
     let place = |index: u32| 2.0 * (index as f32 + 0.5) / voxels as f32 - 1.0;
     let at = |index: u32| {
         let [x, y, z] = [index % voxels, index / voxels % voxels, index / (voxels * voxels)];
-        density([x, y, z].map(place))
+        density([x, y, z].map(place), voxels)
     };
     let values: Vec<f32> = (0..voxels.pow(3)).map(at).collect();
     let side = 2.0 / f64::from(voxels);
