@@ -19,15 +19,6 @@ const FINEST: f32 = 16.0;
 // Steps along a line of sight, at most: single floats count as many. Default steps through the widest box are fewer.
 const MOST_STEPS: f32 = 4194304.0;
 
-struct Marched {
-    // Of the surface: puff + 1, bits of the depth, normal, and colour. 0 where there is none.
-    @location(0) hit: vec4u,
-    // How much of each light that throws shadows reaches what is seen of the surface.
-    @location(1) light: vec4f,
-    // What a camera would see: linear, times its opacity.
-    @location(2) soft: vec4f,
-}
-
 // The part of a line of sight that lies in the field, in metres before the camera.
 struct Sight {
     // In cells.

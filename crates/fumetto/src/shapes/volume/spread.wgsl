@@ -11,12 +11,6 @@
 // Difference of distances, as a share of them, at which a line of sight counts for half.
 const ALIKE: f32 = 0.02;
 
-struct Marched {
-    @location(0) hit: vec4u,
-    @location(1) light: vec4f,
-    @location(2) soft: vec4f,
-}
-
 // How much a line of sight that ends at one depth tells of one that ends at another.
 fn likeness(one: f32, other: f32) -> f32 {
     let apart = abs(one - other) / max(max(one, other), 1e-30);
