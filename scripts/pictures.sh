@@ -53,6 +53,7 @@ draw engraving engraving.png --size 960x540 # strokes want room
 draw paint paint.png --frame 100 "${large[@]}"
 draw paint-wash paint-wash.png --frame 143 "${large[@]}"
 draw paint-pour paint-pour.png --frame 130 "${large[@]}"
+draw paint-hill paint-hill.png --frame 100 "${large[@]}"
 draw paint-rain paint-rain.png --frame 110 "${large[@]}"
 draw paint-powder paint-powder.png --frame 56 "${large[@]}"
 draw soft-shadow soft-shadow.png "${large[@]}"

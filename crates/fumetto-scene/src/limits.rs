@@ -213,6 +213,8 @@ pub const STIFFNESS: Limit = Limit::above(0.0, 1e6);
 pub const ELASTICITY: Limit = Limit::closed(0.0, 1e6);
 /// Friction as a share of what is critical.
 pub const FRICTION: Limit = Limit::above(0.0, 10.0);
+/// How hard the slope of what it lies on draws it.
+pub const DOWNHILL: Limit = Limit::closed(0.0, 1e6);
 /// How far grain moves a border, as a share of the radius.
 pub const GRAIN: Limit = Limit::closed(0.0, 0.9);
 /// Lights in place of one.

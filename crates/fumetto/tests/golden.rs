@@ -267,6 +267,11 @@ fn paint_pour_looks_as_it_did() {
 }
 
 #[test]
+fn paint_runs_down_a_hill_as_it_did() {
+    check("paint-hill", 100);
+}
+
+#[test]
 fn day_night_looks_as_it_did() {
     check("day-night", 84);
 }

@@ -167,6 +167,7 @@ fn spread(at: &At<'_>, file: SpreadFile, largest_m: f32, step_secs: f64) -> Spre
         elasticity: file.elasticity,
         friction: file.friction,
         gravity: file.gravity,
+        downhill: file.downhill,
         grain: file.grain,
         grain_m: file.grain_size.unwrap_or((GRAIN_SHARE * largest_m).max(f32::MIN_POSITIVE)),
     };

@@ -116,6 +116,10 @@ pub struct SpreadFile {
     pub friction: f32,
     /// What pulls all of it, in m/s². Default `[0, 0, 0]`.
     pub gravity: [f32; 3],
+    /// How hard paint that lies on models is drawn down along their surface, in m/s² where this stands upright.
+    /// Default 0.
+    #[schemars(transform = &limits::DOWNHILL)]
+    pub downhill: f32,
     /// How far the grain of what it lies on moves a volume's border, as a share of its radius, 0 to 0.9.
     /// Default 0.12.
     #[schemars(transform = &limits::GRAIN)]
@@ -133,6 +137,7 @@ impl Default for SpreadFile {
             elasticity: 0.0,
             friction: 1.0,
             gravity: [0.0; 3],
+            downhill: 0.0,
             grain: 0.12,
             grain_size: None,
         }

@@ -101,6 +101,8 @@ pub struct Spread {
     pub friction: f32,
     /// In m/s².
     pub gravity: [f32; 3],
+    /// Down along the surface of models, in m/s² where it stands upright.
+    pub downhill: f32,
     /// How far grain moves the border, as a share of the radius.
     pub grain: f32,
     /// Size of its largest bumps, in metres.
@@ -210,6 +212,14 @@ impl Paint {
     #[must_use]
     pub fn wash_scale(&self, layer: u32) -> f32 {
         1.0 - self.wash.map_or(0.0, |wash| wash.spacing) * layer as f32
+    }
+
+    /// The largest radius of its drops and strokes, in metres; 0 without any.
+    #[must_use]
+    pub fn largest_m(&self) -> f32 {
+        let drops = self.drops.iter().map(|drop| &drop.radius);
+        let radii = drops.chain(self.strokes.iter().map(|stroke| &stroke.radius));
+        radii.map(Growth::largest).fold(0.0, f32::max)
     }
 
     /// How many volumes there may be at once.

@@ -53,6 +53,7 @@ fn every_key_of_paint_reaches_it() {
             elasticity: 7.0,
             friction: 0.5,
             gravity: [0.0, -1.0, 0.0],
+            downhill: 3.0,
             grain: 0.3,
             grain_m: 0.7,
         },
@@ -96,6 +97,7 @@ fn stiff_paint_takes_smaller_steps() {
         elasticity: 0.0,
         friction,
         gravity: [0.0; 3],
+        downhill: 0.0,
         grain: 0.0,
         grain_m: 1.0,
     };

@@ -25,7 +25,7 @@ pub(super) struct GroupUniform {
     grain_frequency: f32,
     seed: u32,
     keep_low: [f32; 3],
-    pad: u32,
+    downhill: f32,
     keep_high: [f32; 3],
     pad_end: u32,
 }
@@ -121,7 +121,7 @@ fn uniform(
     firsts: Firsts,
     (seed, step_secs): (u32, f64),
 ) -> GroupUniform {
-    let Spread { stiffness, elasticity, gravity, grain, grain_m, .. } = paint.spread;
+    let Spread { stiffness, elasticity, gravity, downhill, grain, grain_m, .. } = paint.spread;
     let substeps = paint.spread.substeps(step_secs);
     GroupUniform {
         volumes,
@@ -139,7 +139,7 @@ fn uniform(
         grain_frequency: 1.0 / grain_m,
         seed,
         keep_low: coat.keep_low,
-        pad: 0,
+        downhill,
         keep_high: coat.keep_high,
         pad_end: 0,
     }
@@ -150,5 +150,5 @@ mod tests {
     use super::*;
     use crate::gpu::layout_test;
 
-    layout_test!(lies_as_its_twin: GroupUniform, "Group" of "paint/spread" { volumes, vertices, first_body, first_vertex, first_direction, substeps, dt, stiffness, gravity, elasticity, damping, grain, grain_frequency, seed, keep_low, keep_high });
+    layout_test!(lies_as_its_twin: GroupUniform, "Group" of "paint/spread" { volumes, vertices, first_body, first_vertex, first_direction, substeps, dt, stiffness, gravity, elasticity, damping, grain, grain_frequency, seed, keep_low, downhill, keep_high });
 }

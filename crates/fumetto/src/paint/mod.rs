@@ -15,7 +15,8 @@
 //! moves along its own ray. What the paper then counts in the stencil buffer we ask: is what a pixel shows nearer
 //! than the radius in its direction? That is exact from wherever it is seen, also from inside; it needs no count, and
 //! the radius is smooth between the vertices, so that a border is smooth however near it is seen.
-//! A drop that runs and a stroke of a brush are the same about an axis in place of a point.
+//! A drop that runs and a stroke of a brush are the same about an axis in place of a point. What lies on models may be
+//! drawn down along them: see `downhill.wgsl`.
 //!
 //! **Most places need not ask.** A tile of the picture looks at those volumes that come near the box around all that
 //! it shows, and a place that is nearer than the least radius, or farther than the largest, is known without a look

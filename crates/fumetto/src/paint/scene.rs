@@ -24,6 +24,9 @@ const RUN_BYTES: u64 = 32;
 /// Bytes of a vertex: its radius and its speed.
 const VERTEX_BYTES: u64 = 8;
 
+/// How far from a surface paint feels it, as a share of its radius. Also in `downhill.wgsl`.
+const REACH: f32 = 0.25;
+
 /// `Body` of `body.wgsl`.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
@@ -48,8 +51,8 @@ pub(crate) struct PaintScene {
     pub(super) groups: Vec<Group>,
     pub(super) grids: Vec<Grid>,
     pub(super) stains: Vec<Stains>,
-    /// What particles touch, where these leave any stains.
-    pub(super) ground: Option<Ground>,
+    /// What particles and paint touch; there is none where nothing asks for it.
+    pub(super) ground: Ground,
     pub(crate) coats: Coats,
     /// `Body`s of `body.wgsl`.
     pub(super) bodies: wgpu::Buffer,
@@ -179,12 +182,15 @@ impl PaintScene {
             listing.add(gpu, paint, coat, around, (seed_of(index), scene.time.step_secs()));
         }
         let coats = Coats::new(&listing.coats, listing.bodies.len() as u32, outside);
-        let largest_m = largest_particle(scene, around);
-        let ground = (!listing.stains.is_empty()).then(|| Ground::new(gpu, around.geometry, largest_m));
+        let is_felt =
+            !listing.stains.is_empty() || scene.paints().any(|(_, paint)| paint.spread.downhill > 0.0);
+        let largest_m = largest_particle(scene, around).max(REACH * largest_drop(scene));
+        let geometry = if is_felt { around.geometry } else { &Geometry::default() };
+        let ground = Ground::new(gpu, geometry, largest_m);
         Self::upload(gpu, listing, coats, ground)
     }
 
-    fn upload(gpu: &Gpu, listing: Listing, coats: Coats, ground: Option<Ground>) -> Self {
+    fn upload(gpu: &Gpu, listing: Listing, coats: Coats, ground: Ground) -> Self {
         let Listing { groups, grids, stains, bodies, spheres: Spheres { all, .. }, vertices, .. } = listing;
         let list = |label, contents: &[u8], usage| {
             let nothing = [0; 64];
@@ -268,6 +274,12 @@ fn largest_particle(scene: &Scene, around: Surroundings<'_>) -> f32 {
     let stains = scene.paints().flat_map(|(_, paint)| &paint.stains);
     let emissions = stains.flat_map(|stain| (around.emissions)(stain.from));
     emissions.map(|emission| emission.emitter().largest_radius()).fold(0.0, f32::max)
+}
+
+/// The largest radius of what is drawn down along surfaces.
+fn largest_drop(scene: &Scene) -> f32 {
+    let drawn = scene.paints().filter(|(_, paint)| paint.spread.downhill > 0.0);
+    drawn.map(|(_, paint)| paint.largest_m()).fold(0.0, f32::max)
 }
 
 #[cfg(test)]

@@ -16,7 +16,7 @@ pub(crate) struct Spreading {
 impl Spreading {
     pub(crate) fn new(gpu: &Gpu) -> Self {
         use Slot::{Read, Uniform, Write};
-        let slots = [Uniform, Read, Read, Write, Write, Write];
+        let slots = [Uniform, Read, Read, Write, Write, Write, Uniform, Read, Read];
         let [spread, run] = kernels(gpu, shader!("paint/spread"), &slots, ["spread", "run"]);
         let [measure] = kernels(gpu, shader!("paint/measure"), &[Read, Write], ["main"]);
         Self { pouring: Pouring::new(gpu), touching: Touching::new(gpu), spread, run, measure }
@@ -28,10 +28,8 @@ impl Spreading {
         for grid in &paints.grids {
             self.pouring.step(frame, grid, secs);
         }
-        if let Some(ground) = &paints.ground {
-            for stains in &paints.stains {
-                self.touching.step(frame, stains, ground, (step, dt));
-            }
+        for stains in &paints.stains {
+            self.touching.step(frame, stains, &paints.ground, (step, dt));
         }
         for group in &paints.groups {
             let orders = group.orders(frame, secs);
@@ -41,7 +39,10 @@ impl Spreading {
 
     fn advance(&self, frame: &mut Frame<'_>, paints: &PaintScene, group: &Group, orders: &wgpu::Buffer) {
         let uniform = frame.uniform("paint.group", &group.uniform);
-        let bindings = [&uniform, orders, &paints.directions, &paints.vertices, &paints.runs, &paints.bodies];
+        let PaintScene { ground, directions, vertices, runs, bodies, .. } = paints;
+        let place = frame.uniform("paint.ground", &ground.uniform);
+        let bindings =
+            [&uniform, orders, directions, vertices, runs, bodies, &place, &ground.cells, &ground.corners];
         let bindings = bindings.map(wgpu::Buffer::as_entire_binding);
         frame.compute("paint.spread", &self.spread, &bindings, workgroups(group.vertices()));
         frame.compute("paint.run", &self.run, &bindings, workgroups(group.uniform.volumes));

@@ -1,7 +1,7 @@
 // How volumes spread (ten Bosch, section 2). Every vertex is a particle that moves along its ray from the volume's
 // axis: pressure drives it to the desired radius, which the grain of the ground makes uneven; elasticity pulls it
 // back to where it was at first; friction takes its speed; gravity pulls. So a volume is always whole: rays do not
-// cross, and no count can be broken. The axis' far end runs as gravity has it, by the same law.
+// cross, and no count can be broken. The axis' far end runs as gravity and the surface have it, by the same law.
 //
 // Euler's method in parts of the step, speed first: then it neither explodes nor overshoots where the parts are
 // short enough (see `Spread::substeps`).
@@ -26,6 +26,8 @@ struct Group {
     seed: u32,
     // Where it stays.
     keep_low: vec3f,
+    // How hard an upright surface draws what lies on it down.
+    downhill: f32,
     keep_high: vec3f,
 }
 
@@ -42,6 +44,9 @@ struct Run {
 @group(0) @binding(3) var<storage, read_write> vertices: array<vec2f>;
 @group(0) @binding(4) var<storage, read_write> runs: array<Run>;
 @group(0) @binding(5) var<storage, read_write> bodies: array<Body>;
+@group(0) @binding(6) var<uniform> ground: Ground;
+@group(0) @binding(7) var<storage, read> ground_cells: array<u32>;
+@group(0) @binding(8) var<storage, read> ground_corners: array<vec4f>;
 
 // How far the ground lets paint go at a place: about -1 to 1.
 fn grain_at(place: vec3f) -> f32 {
@@ -53,6 +58,17 @@ fn grain_at(place: vec3f) -> f32 {
     }
     // Noise hardly ever comes near its bounds.
     return clamp(0.7 * sum, -1.0, 1.0);
+}
+
+// How the surface draws a vertex, along its ray.
+fn downhill_at(volume: u32, order: Order, direction: vec3f, radius: f32) -> f32 {
+    if group.downhill == 0.0 {
+        return 0.0;
+    }
+    let body = bodies[group.first_body + volume];
+    let is_far = order.state != COMES && dot(body.end - order.start, direction) > 0.0;
+    let place = select(order.start, body.end, is_far) + direction * radius;
+    return group.downhill * dot(drawn_at(place, order.desired, group.gravity), direction);
 }
 
 @compute @workgroup_size(256)
@@ -69,13 +85,14 @@ fn spread(@builtin(workgroup_id) id: vec3u, @builtin(num_workgroups) groups: vec
     }
     let direction = directions[group.first_direction + index % group.vertices].xyz;
     let wanted = order.desired * (1.0 + group.grain * grain_at(order.start + direction * order.desired));
-    let pull = dot(group.gravity, direction);
     var radius = vertices[slot].x;
     var speed = vertices[slot].y;
     if order.state == COMES {
         radius = order.first;
         speed = 0.0;
     }
+    let pull = dot(group.gravity, direction)
+        + downhill_at(index / group.vertices, order, direction, radius);
     for (var part = 0u; part < group.substeps; part++) {
         let force = group.stiffness * (wanted - radius) + group.elasticity * (order.first - radius) + pull;
         speed += group.dt * (force - group.damping * speed);
@@ -100,10 +117,18 @@ fn run(@builtin(workgroup_id) id: vec3u, @builtin(num_workgroups) groups: vec3u,
         run = Run(vec3f(0.0), vec3f(0.0));
     }
     if order.state != 0u {
+        let before = order.end + run.offset;
+        var pull = group.gravity;
+        if group.downhill > 0.0 {
+            pull += group.downhill * drawn_at(before, order.desired, group.gravity);
+        }
         for (var part = 0u; part < group.substeps; part++) {
-            let force = group.gravity - group.elasticity * run.offset;
+            let force = pull - group.elasticity * run.offset;
             run.velocity += group.dt * (force - group.damping * run.velocity);
             run.offset += group.dt * run.velocity;
+        }
+        if group.downhill > 0.0 {
+            run.offset = slid(before, order.end + run.offset - before, order.desired) - order.end;
         }
     }
     runs[slot] = run;

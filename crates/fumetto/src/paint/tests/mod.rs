@@ -1,5 +1,6 @@
 //! Spreading against closed forms, on whatever adapter there is.
 
+mod downhill;
 mod pour;
 mod spread;
 mod stain;
