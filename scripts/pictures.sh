@@ -62,6 +62,8 @@ draw sketch sketch.png "${large[@]}"
 draw cloud-ink cloud-ink.png "${large[@]}"
 draw smoke-sketch smoke-sketch.png --frame 150 "${large[@]}"
 draw chimney chimney.gif --frames 144..191 --size 320x180
+draw paint paint.gif --frames 12..83 --size 240x135
+draw paint-hill paint-hill.gif --frames 0..119 --size 320x180
 
 # The first scene of README.md, as it stands there, and two ways for its smoke to end.
 first="$temporary/first.toml"
