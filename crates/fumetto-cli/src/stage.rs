@@ -78,6 +78,11 @@ impl Stage {
             self.frame = 0;
             return self.recall(&snapshot);
         }
+        let at_most = FRAMES_AT_A_TIME as u32;
+        while !self.engine.pre_roll(&mut self.player, frame, at_most) {
+            self.engine.gpu().wait()?;
+            interrupt.check()?;
+        }
         // Sequences of files need not have the frames before the first that is drawn.
         if !self.reads_sequences {
             for stop in (self.frame..frame).step_by(FRAMES_AT_A_TIME) {

@@ -101,7 +101,7 @@ mod tests {
 
     fn clock(pacing: Pacing) -> Clock {
         let mut clock = Clock { playing: true, pacing, ..Clock::default() };
-        clock.set(&fumetto_scene::Time { fps: 10.0, frames: [0, 9], hold: 1, substeps: 1 });
+        clock.set(&fumetto_scene::Time { fps: 10.0, frames: [0, 9], hold: 1, substeps: 1, pre_roll: 0.0 });
         clock
     }
 
@@ -137,7 +137,7 @@ mod tests {
     fn a_shorter_scene_keeps_the_time_in_range() {
         let mut clock = clock(Pacing::RealTime);
         clock.seek(9);
-        clock.set(&fumetto_scene::Time { fps: 10.0, frames: [2, 4], hold: 1, substeps: 1 });
+        clock.set(&fumetto_scene::Time { fps: 10.0, frames: [2, 4], hold: 1, substeps: 1, pre_roll: 0.0 });
         assert_eq!(clock.frame(), 4);
         clock.step(-9);
         assert_eq!((clock.frame(), clock.playing), (2, false));

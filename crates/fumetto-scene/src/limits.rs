@@ -128,6 +128,8 @@ pub const SPHERES: Limit = Limit::closed(1.0, 256.0);
 pub const TILE_PX: Limit = Limit::closed(16.0, 512.0);
 /// Seconds that a particle lives.
 pub const LIFE_SECS: Limit = Limit::above(0.0, 1e6);
+/// Seconds that are simulated before frame 0: enough for what lives long, few enough to wait for.
+pub const PRE_ROLL_SECS: Limit = Limit::closed(0.0, 600.0);
 /// Moments in seconds.
 pub const SECONDS: Limit = Limit::closed(0.0, 1e6);
 /// Lengths of time in seconds that may not be zero.

@@ -138,7 +138,7 @@ impl Engine {
             return Ok(());
         }
         player.read_sequences(&self.gpu, frame)?;
-        self.advance(player, u64::from(frame) * u64::from(player.scene().time.substeps));
+        self.advance(player, player.scene().time.steps_before(frame));
         self.present(player, frame);
         Ok(())
     }

@@ -34,6 +34,23 @@ impl Engine {
         }
     }
 
+    /// Simulates what comes before frame 0, if the way to `frame` leads through it: no more of it than takes as long as
+    /// `at_most` frames. Tells whether all of it is done. [`Engine::seek`] does the rest by itself; this is for those who
+    /// want to look up meanwhile.
+    pub fn pre_roll(&self, player: &mut Player, frame: u32, at_most: u32) -> bool {
+        let time = player.scene().time;
+        let goes_on = player.can_go_on && player.steps <= time.steps_before(player.held(frame));
+        let begin = if goes_on { player.steps } else { 0 };
+        let end = time.pre_roll_steps();
+        if begin >= end {
+            return true;
+        }
+        let stop = end.min(begin + u64::from(at_most) * u64::from(time.substeps));
+        self.advance(player, stop);
+        player.shown = None;
+        stop == end
+    }
+
     /// Runs one step of all smoke whose air is simulated, and takes the time of each of its stages. Waits for the
     /// device, so in a browser it measures nothing; for measurement only.
     ///

@@ -87,7 +87,7 @@ impl Engine {
         for (buffer, part) in buffers.into_iter().zip(&snapshot.parts) {
             self.gpu().queue.write_buffer(buffer, 0, part);
         }
-        let steps = u64::from(snapshot.frame) * u64::from(player.scene().time.substeps);
+        let steps = player.scene().time.steps_before(snapshot.frame);
         (player.steps, player.can_go_on) = (steps, is_whole);
         self.present(player, snapshot.frame);
         Ok(())

@@ -165,6 +165,11 @@ impl Stage {
 
     fn draw(&mut self, wish: &Wish) -> Result<(), fumetto::Error> {
         let Some(player) = &mut self.player else { return Ok(()) };
+        if !self.engine.pre_roll(player, wish.frame, FRAMES_AT_A_TIME) {
+            let wake = self.wake.clone();
+            self.pace.begin(&self.engine.gpu().queue, false, move || wake.request_repaint());
+            return Ok(());
+        }
         let next = match player.reached() {
             // What lies before is reached from the start.
             Some(reached) => {

@@ -132,7 +132,13 @@ fn time(at: &At<'_>, file: &TimeFile) -> Time {
         let message = format!("`frames` runs from {first} back to {last}");
         at.key("frames").error("falling-range", message, format!("write [{last}, {first}]"));
     }
-    Time { fps: file.fps, frames: file.frames, hold: file.hold, substeps: file.substeps }
+    Time {
+        fps: file.fps,
+        frames: file.frames,
+        hold: file.hold,
+        substeps: file.substeps,
+        pre_roll: file.pre_roll,
+    }
 }
 
 fn unique_names<'n>(at: &At<'_>, names: impl Iterator<Item = &'n str>, what: &str) {

@@ -97,7 +97,7 @@ pub struct TimeFile {
     /// Frames in a second, above 0. Default 24.
     #[schemars(transform = &limits::FPS)]
     pub fps: f32,
-    /// First and last frame; the simulation starts at frame 0. Default `[0, 119]`.
+    /// First and last frame; the simulation starts at frame 0, or `pre_roll` before it. Default `[0, 119]`.
     pub frames: [u32; 2],
     /// Draw on ones (1), twos (2), threes…; the simulation still steps every frame. Default 1.
     #[schemars(transform = &limits::HOLD)]
@@ -105,11 +105,15 @@ pub struct TimeFile {
     /// Simulation steps in a frame, 1 to 16. Default 1.
     #[schemars(transform = &limits::SUBSTEPS)]
     pub substeps: u32,
+    /// Seconds that are simulated before frame 0, so that it shows smoke already, 0 to 600. Smoke's and paint's
+    /// own moments count from their beginning. Default 0.
+    #[schemars(transform = &limits::PRE_ROLL_SECS)]
+    pub pre_roll: f32,
 }
 
 impl Default for TimeFile {
     fn default() -> Self {
-        Self { fps: 24.0, frames: [0, 119], hold: 1, substeps: 1 }
+        Self { fps: 24.0, frames: [0, 119], hold: 1, substeps: 1, pre_roll: 0.0 }
     }
 }
 

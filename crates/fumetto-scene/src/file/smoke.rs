@@ -83,7 +83,7 @@ fn none() -> CurveFile {
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq, Serialize)]
 #[serde(deny_unknown_fields)]
 pub struct BurstFile {
-    /// When, in seconds from frame 0.
+    /// When, in seconds from the beginning of the simulation: frame 0, but for `pre_roll`.
     #[schemars(transform = &limits::SECONDS)]
     pub at: f32,
     /// How many.

@@ -71,7 +71,7 @@ pub struct RingsFile {
     #[serde(default)]
     #[schemars(transform = &limits::RATE)]
     pub rate: f32,
-    /// Moments of single rings, in seconds from frame 0.
+    /// Moments of single rings, in seconds from the beginning of the simulation: frame 0, but for `pre_roll`.
     #[serde(default)]
     #[schemars(transform = &limits::SECONDS)]
     pub at: Vec<f32>,

@@ -66,6 +66,18 @@ impl Time {
     pub fn step_secs(&self) -> f64 {
         1.0 / (f64::from(self.fps) * f64::from(self.substeps))
     }
+
+    /// Steps of the simulation before frame 0.
+    #[must_use]
+    pub fn pre_roll_steps(&self) -> u64 {
+        (f64::from(self.pre_roll) / self.step_secs()).round() as u64
+    }
+
+    /// Steps of the simulation before `frame`.
+    #[must_use]
+    pub fn steps_before(&self, frame: u32) -> u64 {
+        self.pre_roll_steps() + u64::from(frame) * u64::from(self.substeps)
+    }
 }
 
 impl Object {

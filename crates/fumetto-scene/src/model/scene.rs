@@ -44,12 +44,14 @@ pub enum Background {
 pub struct Time {
     /// Frames in a second; above zero.
     pub fps: f32,
-    /// First and last frame, inclusive; the simulation starts at frame 0.
+    /// First and last frame, inclusive; the simulation starts `pre_roll` before frame 0.
     pub frames: [u32; 2],
     /// Draw on ones (1), twos (2), threes…; the simulation still steps every frame.
     pub hold: u32,
     /// Simulation steps in a frame, at least 1.
     pub substeps: u32,
+    /// Seconds that are simulated before frame 0, rounded to whole steps.
+    pub pre_roll: f32,
 }
 
 /// The picture that is made.

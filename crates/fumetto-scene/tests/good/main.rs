@@ -76,6 +76,8 @@ fn every_key_reaches_the_scene() {
     let bottom = Colour { linear: [0.5, 0.6, 0.7] };
     assert_eq!(scene.background, Background::Gradient { top: srgb(0x406080), bottom });
     assert_eq!((scene.time.frames, scene.time.substeps), ([10, 20], 4));
+    let steps = |frame| scene.time.steps_before(frame);
+    assert_eq!((steps(0), steps(10)), (24, 64), "half a second of 12 frames, of 4 steps each");
     assert_eq!((scene.output.size, scene.output.antialias), ([640, 360], 1));
     let file = &scene.objects[1];
     assert_eq!(file.matter, Matter::File("cloud.####.ply".into()));

@@ -180,7 +180,8 @@ impl Player {
     #[must_use]
     pub fn reached(&self) -> Option<u32> {
         let steps = if self.can_go_on { self.steps } else { 0 };
-        let frames = steps / u64::from(self.scene.time.substeps);
+        let time = self.scene.time;
+        let frames = steps.saturating_sub(time.pre_roll_steps()) / u64::from(time.substeps);
         self.simulates().then(|| u32::try_from(frames).unwrap_or(u32::MAX))
     }
 
@@ -317,9 +318,10 @@ impl Player {
         }
     }
 
-    /// Puts obstacles to where they are in a step.
+    /// Puts obstacles to where they are in a step. Models move with frames, also before frame 0.
     pub(crate) fn place_obstacles(&self, frame: &mut Frame<'_>, plume: &Plume, step: u64, dt: f64) {
-        obstacles::place(frame, &self.objects, plume, (step as f64 * dt, dt));
+        let time = (step as f64 - self.scene.time.pre_roll_steps() as f64) * dt;
+        obstacles::place(frame, &self.objects, plume, step == 0, (time, dt));
     }
 
     /// The moment of a frame.

@@ -14,6 +14,7 @@ pub(super) struct Motion<'a> {
     seed: u32,
     fps: f32,
     substeps: u32,
+    pre_roll_steps: u64,
     /// Smoke and what it goes round, each with its number, on which chance depends.
     moving: Vec<(usize, &'a Matter)>,
     /// Paint finds its way over whatever surfaces there are, and how it looks is part of it.
@@ -37,6 +38,7 @@ impl<'a> Motion<'a> {
             seed: scene.seed,
             fps: scene.time.fps,
             substeps: scene.time.substeps,
+            pre_roll_steps: scene.time.pre_roll_steps(),
             moving: matters.filter(|(_, matter)| moves(matter)).collect(),
             painted: if has_paint { &scene.objects } else { &[] },
         }

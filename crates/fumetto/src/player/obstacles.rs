@@ -52,9 +52,15 @@ fn voxels(
 }
 
 /// Puts obstacles to where they are in the step that begins at `time`, if they have moved since the last.
-pub(super) fn place(frame: &mut Frame<'_>, objects: &[PlayedObject], plume: &Plume, (time, dt): (f64, f64)) {
+pub(super) fn place(
+    frame: &mut Frame<'_>,
+    objects: &[PlayedObject],
+    plume: &Plume,
+    is_first: bool,
+    (time, dt): (f64, f64),
+) {
     let Some(air) = plume.air().filter(|air| air.solids.are_there) else { return };
-    if time == 0.0 || obstacles(objects).any(|played| played.model.is_animated()) {
+    if is_first || obstacles(objects).any(|played| played.model.is_animated()) {
         // At the start they were few enough; should they ever grow, they stay as they were.
         if let Ok(voxels) = voxels(objects, &air.plan, (time, dt)) {
             // The steps before have what was there before; and what is written waits for one step only.

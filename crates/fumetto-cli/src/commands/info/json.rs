@@ -24,6 +24,7 @@ pub(super) fn of(name: &str, scene: &Scene, loads: &[Load]) -> Value {
         "seconds": duration_secs(scene),
         "hold": scene.time.hold,
         "substeps": scene.time.substeps,
+        "pre_roll": scene.time.pre_roll,
         "cameras": scene.cameras.iter().map(|camera| camera.name.as_str()).collect::<Vec<_>>(),
         "lights": lights,
         "background": background(scene),

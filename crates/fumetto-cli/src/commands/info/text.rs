@@ -15,12 +15,21 @@ pub(super) fn of(name: &str, scene: &Scene, loads: &[Load]) -> String {
     let ([first, last], time) = (scene.time.frames, &scene.time);
     let cameras: Vec<&str> = scene.cameras.iter().map(|camera| camera.name.as_str()).collect();
     let lights: Vec<String> = scene.lights.iter().map(light_words).collect();
+    let pre_roll = if time.pre_roll > 0.0 {
+        format!(", from {} s before frame 0", time.pre_roll)
+    } else {
+        String::new()
+    };
     let lights = if lights.is_empty() { "none".to_owned() } else { lights.join(", ") };
     let mut lines = vec![
         name.to_owned(),
         format!("  picture     {width} x {height} pixels, {samples} x {samples} samples each{tiles}"),
         format!("  frames      {first} to {last}, {} a second: {:.1} s", time.fps, duration_secs(scene)),
-        format!("  drawn       every {}, simulated in {}", counted(time.hold, "frame"), steps(time.substeps)),
+        format!(
+            "  drawn       every {}, simulated in {}{pre_roll}",
+            counted(time.hold, "frame"),
+            steps(time.substeps)
+        ),
         format!("  cameras     {}", cameras.join(", ")),
         format!("  lights      {lights}"),
         format!("  background  {}", background(scene)),

@@ -49,9 +49,14 @@ fn play_seeded(engine: &Engine, seed: u32, fps: f32, emitter: &str, forces: &[&s
 
 /// Smoke with these `keys`, at `fps` steps a second.
 pub(super) fn play_smoke(engine: &Engine, seed: u32, fps: f32, keys: &str) -> Player {
+    play_timed(engine, seed, &format!("fps = {fps}"), keys)
+}
+
+/// Smoke with these `keys`, by a clock with those of `time`.
+fn play_timed(engine: &Engine, seed: u32, time: &str, keys: &str) -> Player {
     let toml = format!(
         "format = 1\nseed = {seed}\ncamera = {{ eye = [0, 0, 5], target = [0, 0, 0] }}\n\
-         time = {{ fps = {fps}, frames = [0, 100] }}\n\
+         time = {{ {time}, frames = [0, 100] }}\n\
          [[object]]\nname = \"smoke\"\nkind = \"smoke\"\n{keys}"
     );
     let text = SceneText { name: "test", toml: &toml, ..Default::default() };

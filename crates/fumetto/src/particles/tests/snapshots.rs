@@ -1,6 +1,6 @@
 //! What is put back goes on as if it had never been away.
 
-use super::{engine, play_smoke};
+use super::{engine, play_smoke, play_timed};
 use crate::{Engine, Error, Extent, Player, Snapshot};
 
 const EMITTER: &str = "[object.emitter]\nrate = 60\nvelocity = [0, 1, 0]\nradius = 0.1\nlife = 0.5\n\
@@ -45,6 +45,31 @@ fn what_is_put_back_goes_on() {
 }
 
 #[test]
+fn pre_roll_only_shifts_frames() {
+    let engine = engine();
+    for (name, keys) in scenes() {
+        let mut straight = play_smoke(&engine, 1, 30.0, &keys);
+        let [seventh, thirteenth] =
+            [7, 13].map(|frame| taken(&engine, &mut straight, frame, Extent::Whole).parts);
+        let mut rolled = play_timed(&engine, 1, "fps = 30, pre_roll = 0.2334", &keys);
+        assert!(!engine.pre_roll(&mut rolled, 0, 4), "{name}: there are seven steps");
+        assert_eq!(rolled.reached(), Some(0), "{name}");
+        assert!(engine.pre_roll(&mut rolled, 0, 4), "{name}");
+        let first = taken(&engine, &mut rolled, 0, Extent::Whole);
+        assert_eq!(first.parts, seventh, "{name}");
+        assert_eq!(taken(&engine, &mut rolled, 6, Extent::Whole).parts, thirteenth, "{name}");
+        assert_eq!(rolled.reached(), Some(6), "{name}");
+
+        // Back to the beginning, by itself and from a snapshot.
+        assert_eq!(taken(&engine, &mut rolled, 0, Extent::Whole).parts, seventh, "{name}");
+        let mut resumed = play_timed(&engine, 1, "fps = 30, pre_roll = 0.2334", &keys);
+        engine.recall(&mut resumed, &first).expect("it is of the same scene");
+        assert!(engine.pre_roll(&mut resumed, 6, 4), "{name}: it is behind already");
+        assert_eq!(taken(&engine, &mut resumed, 6, Extent::Whole).parts, thirteenth, "{name}");
+    }
+}
+
+#[test]
 fn snapshots_of_something_else_are_refused() {
     let engine = engine();
     let [(_, forces), (_, vortex), _] = scenes();
@@ -69,6 +94,7 @@ fn fingerprints_tell_what_moves_differently() {
         fingerprint(2, 30.0, &keys),
         fingerprint(1, 25.0, &keys),
         fingerprint(1, 30.0, &other),
+        play_timed(&engine, 1, "fps = 30, pre_roll = 0.5", &keys).fingerprint(),
         fingerprint(1, 30.0, &keys.replace("rate = 60", "rate = 61")),
     ] {
         assert_ne!(first, changed);
