@@ -88,8 +88,8 @@ fn births(at: &At<'_>, file: &EmitterFile) {
 /// Always, unless the file says from when until when.
 fn active(at: &At<'_>, file: Option<[f32; 2]>) -> [f32; 2] {
     let Some([from, until]) = file else { return [0.0, f32::MAX] };
-    at.item(0).within(from, &SECONDS, "this is in seconds from frame 0");
-    at.item(1).within(until, &SECONDS, "this is in seconds from frame 0");
+    at.item(0).within(from, &SECONDS, "this is in seconds from the beginning of the simulation");
+    at.item(1).within(until, &SECONDS, "this is in seconds from the beginning of the simulation");
     if from > until {
         let message = format!("`active` runs from {from} s back to {until} s");
         at.error("falling-range", message, format!("write [{until}, {from}]"));
