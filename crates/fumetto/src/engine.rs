@@ -62,7 +62,7 @@ impl Shot {
 }
 
 impl Engine {
-    /// Builds all pipelines on `gpu`.
+    /// Draws on `gpu`. Pipelines are made when a scene first needs them.
     #[must_use]
     pub fn new(gpu: Gpu) -> Self {
         Self {
@@ -273,4 +273,19 @@ pub(crate) fn picture_texture(gpu: &Gpu, [width, height]: [u32; 2]) -> wgpu::Tex
             | wgpu::TextureUsages::COPY_SRC,
         view_formats: &[],
     })
+}
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a test that cannot set up should stop")]
+mod tests {
+    use super::*;
+    use crate::gpu::AT_ONCE;
+
+    #[test]
+    fn every_pipeline_can_be_made() {
+        AT_ONCE.set(true);
+        let engine = Engine::new(pollster::block_on(Gpu::headless()).unwrap());
+        engine.gpu.wait().unwrap();
+        AT_ONCE.set(false);
+    }
 }

@@ -208,7 +208,7 @@ impl Painter {
         let lights = LightsUniform::of(scene);
         let features = |look: &Look| Features::of(look.drawn(), !player.meshes.is_empty());
         for look in &player.looks {
-            self.flat.prepare(gpu, features(look));
+            self.flat.prepare(features(look));
         }
         let look = &player.looks[0];
         let sheet = Sheet { region, samples: shot.antialias };

@@ -2,7 +2,7 @@
 
 use wgpu::util::DeviceExt as _;
 
-use super::{Frame, Gpu, Slot, kernels, shader, workgroups};
+use super::{ComputePipeline, Frame, Gpu, Slot, kernels, shader, workgroups};
 
 /// Items that one invocation looks at. Also in `compact.wgsl`.
 const RUN: u32 = 32;
@@ -10,9 +10,9 @@ const RUN: u32 = 32;
 /// Long-lived kernels.
 #[derive(Debug)]
 pub(crate) struct Compact {
-    count: wgpu::ComputePipeline,
-    scan: wgpu::ComputePipeline,
-    scatter: wgpu::ComputePipeline,
+    count: ComputePipeline,
+    scan: ComputePipeline,
+    scatter: ComputePipeline,
 }
 
 /// The items of one flag, and the draw over them.

@@ -1,6 +1,6 @@
 //! Compute pipelines of one program that share their bindings.
 
-use super::Gpu;
+use super::{ComputePipeline, Gpu};
 
 /// What is bound to one number.
 #[derive(Clone, Copy, Debug)]
@@ -71,23 +71,23 @@ impl Slot {
 /// them all.
 pub(crate) fn kernels<const N: usize>(
     gpu: &Gpu,
-    program: wgpu::ShaderModuleDescriptor<'_>,
+    program: wgpu::ShaderModuleDescriptor<'static>,
     slots: &[Slot],
-    entries: [&str; N],
-) -> [wgpu::ComputePipeline; N] {
+    entries: [&'static str; N],
+) -> [ComputePipeline; N] {
     kernels_with(gpu, program, slots, entries, &[])
 }
 
 /// Likewise, with values of the program's `override` constants.
 pub(crate) fn kernels_with<const N: usize>(
     gpu: &Gpu,
-    program: wgpu::ShaderModuleDescriptor<'_>,
+    program: wgpu::ShaderModuleDescriptor<'static>,
     slots: &[Slot],
-    entries: [&str; N],
-    constants: &[(&str, f64)],
-) -> [wgpu::ComputePipeline; N] {
+    entries: [&'static str; N],
+    constants: &[(&'static str, f64)],
+) -> [ComputePipeline; N] {
     let label = program.label;
-    let module = gpu.device.create_shader_module(program);
+    let module = gpu.module(program);
     let slots: Vec<_> = (0..)
         .zip(slots)
         .map(|(binding, slot)| wgpu::BindGroupLayoutEntry {
@@ -105,13 +105,19 @@ pub(crate) fn kernels_with<const N: usize>(
         immediate_size: 0,
     });
     entries.map(|entry| {
-        gpu.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
-            label,
-            layout: Some(&layout),
-            module: &module,
-            entry_point: Some(entry),
-            compilation_options: wgpu::PipelineCompilationOptions { constants, ..Default::default() },
-            cache: None,
+        let (layout, constants) = (layout.clone(), constants.to_vec());
+        module.later(move |device, module| {
+            device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+                label,
+                layout: Some(&layout),
+                module,
+                entry_point: Some(entry),
+                compilation_options: wgpu::PipelineCompilationOptions {
+                    constants: &constants,
+                    ..Default::default()
+                },
+                cache: None,
+            })
         })
     })
 }

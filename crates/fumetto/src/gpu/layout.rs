@@ -26,7 +26,7 @@ pub(crate) use layout_test;
 
 /// Panics unless the WGSL struct has just these `fields` (name and offset), padding aside, and `size`.
 pub(crate) fn assert_twins(
-    program: &wgpu::ShaderModuleDescriptor<'_>,
+    program: &wgpu::ShaderModuleDescriptor<'static>,
     wgsl: &str,
     size: usize,
     fields: &[(&str, usize)],
@@ -43,7 +43,7 @@ pub(crate) fn assert_twins(
 }
 
 /// Names and offsets of a struct's members, and its size.
-fn members_of(program: &wgpu::ShaderModuleDescriptor<'_>, wgsl: &str) -> (Vec<(String, usize)>, usize) {
+fn members_of(program: &wgpu::ShaderModuleDescriptor<'static>, wgsl: &str) -> (Vec<(String, usize)>, usize) {
     let wgpu::ShaderSource::Wgsl(text) = &program.source else { panic!("programs are WGSL") };
     let module = naga::front::wgsl::parse_str(&Cow::clone(text)).expect("the build has parsed it");
     let inner = module.types.iter().find(|(_, ty)| ty.name.as_deref() == Some(wgsl)).map(|(_, ty)| &ty.inner);

@@ -5,6 +5,7 @@ mod device;
 mod kernels;
 #[cfg(test)]
 mod layout;
+mod lazy;
 mod pass;
 mod pool;
 mod readback;
@@ -16,6 +17,8 @@ pub use device::{Gpu, GpuError};
 #[cfg(test)]
 pub(crate) use layout::{assert_twins, layout_test};
 #[cfg(test)]
+pub(crate) use lazy::AT_ONCE;
+#[cfg(test)]
 pub(crate) use readback::read_buffer;
 pub(crate) use readback::read_items;
 #[cfg(not(target_arch = "wasm32"))]
@@ -26,6 +29,7 @@ pub use trouble::Trouble;
 pub(crate) use compact::{Compact, DrawList, Listing};
 pub(crate) use device::{folded, linear_sampler, workgroups};
 pub(crate) use kernels::{Slot, kernels, kernels_with};
+pub(crate) use lazy::{ComputePipeline, Module, RenderPipeline};
 pub(crate) use pass::{Frame, RasterPipeline, Target};
 pub(crate) use pool::{TexturePool, Transient};
 pub(crate) use shader::shader;

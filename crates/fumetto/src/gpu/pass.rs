@@ -1,6 +1,6 @@
 use wgpu::util::DeviceExt as _;
 
-use super::{Gpu, TexturePool, Transient};
+use super::{Gpu, Module, RenderPipeline, TexturePool, Transient};
 
 /// What is being recorded: one encoder, and where passes find their transient textures.
 pub(crate) struct Frame<'a> {
@@ -207,47 +207,47 @@ fn bind(
 /// How a raster pipeline differs from the plainest one.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct RasterPipeline<'a> {
-    pub(crate) label: &'a str,
+    pub(crate) label: &'static str,
     pub(crate) targets: &'a [wgpu::TextureFormat],
     pub(crate) depth: Option<wgpu::DepthStencilState>,
     /// What is done with what the targets hold; `None` replaces it.
     pub(crate) blend: Option<wgpu::BlendState>,
     /// Values of the shaders' `override` constants.
-    pub(crate) constants: &'a [(&'a str, f64)],
+    pub(crate) constants: &'a [(&'static str, f64)],
 }
 
 impl RasterPipeline<'_> {
-    /// Builds it from a module's `vertex` and `fragment`.
-    pub(crate) fn build(self, device: &wgpu::Device, module: &wgpu::ShaderModule) -> wgpu::RenderPipeline {
-        let targets: Vec<_> = self
-            .targets
-            .iter()
-            .map(|&format| {
-                Some(wgpu::ColorTargetState { format, blend: self.blend, write_mask: wgpu::ColorWrites::ALL })
+    /// The pipeline of a module's `vertex` and `fragment`.
+    pub(crate) fn build(self, module: &Module) -> RenderPipeline {
+        let Self { label, targets, depth, blend, constants } = self;
+        let state =
+            |&format| Some(wgpu::ColorTargetState { format, blend, write_mask: wgpu::ColorWrites::ALL });
+        let targets: Vec<_> = targets.iter().map(state).collect();
+        let constants = constants.to_vec();
+        module.later(move |device, module| {
+            let compilation_options =
+                wgpu::PipelineCompilationOptions { constants: &constants, ..Default::default() };
+            device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+                label: Some(label),
+                layout: None,
+                vertex: wgpu::VertexState {
+                    module,
+                    entry_point: Some("vertex"),
+                    compilation_options: compilation_options.clone(),
+                    buffers: &[],
+                },
+                primitive: wgpu::PrimitiveState::default(),
+                depth_stencil: depth,
+                multisample: wgpu::MultisampleState::default(),
+                fragment: Some(wgpu::FragmentState {
+                    module,
+                    entry_point: Some("fragment"),
+                    compilation_options,
+                    targets: &targets,
+                }),
+                multiview_mask: None,
+                cache: None,
             })
-            .collect();
-        let compilation_options =
-            wgpu::PipelineCompilationOptions { constants: self.constants, ..Default::default() };
-        device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
-            label: Some(self.label),
-            layout: None,
-            vertex: wgpu::VertexState {
-                module,
-                entry_point: Some("vertex"),
-                compilation_options: compilation_options.clone(),
-                buffers: &[],
-            },
-            primitive: wgpu::PrimitiveState::default(),
-            depth_stencil: self.depth,
-            multisample: wgpu::MultisampleState::default(),
-            fragment: Some(wgpu::FragmentState {
-                module,
-                entry_point: Some("fragment"),
-                compilation_options,
-                targets: &targets,
-            }),
-            multiview_mask: None,
-            cache: None,
         })
     }
 }

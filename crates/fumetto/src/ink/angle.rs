@@ -2,7 +2,7 @@
 
 use super::INK_FORMAT;
 use crate::{
-    gpu::{Frame, Gpu, RasterPipeline, Target, Transient, shader},
+    gpu::{Frame, Gpu, RasterPipeline, RenderPipeline, Target, Transient, shader},
     layers::{self, Layers},
     shapes::puffs::Subject,
 };
@@ -10,19 +10,19 @@ use crate::{
 /// The long-lived pipeline.
 #[derive(Debug)]
 pub(crate) struct Angle {
-    pipeline: wgpu::RenderPipeline,
+    pipeline: RenderPipeline,
 }
 
 impl Angle {
     pub(crate) fn new(gpu: &Gpu) -> Self {
-        let module = gpu.device.create_shader_module(shader!("ink/angle"));
+        let module = gpu.module(shader!("ink/angle"));
         let pipeline = RasterPipeline {
             label: "ink.angle",
             targets: &[INK_FORMAT],
             depth: Some(layers::where_filled()),
             ..Default::default()
         };
-        Self { pipeline: pipeline.build(&gpu.device, &module) }
+        Self { pipeline: pipeline.build(&module) }
     }
 
     /// Adds to `ink` where the objects that want it so are seen edge-on; `normal` tells it of puffs.

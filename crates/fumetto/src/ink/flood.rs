@@ -1,6 +1,6 @@
 //! Lines of any width around seeds, by jump flooding.
 
-use crate::gpu::{Frame, Gpu, RasterPipeline, Target, Transient, shader};
+use crate::gpu::{Frame, Gpu, RasterPipeline, RenderPipeline, Target, Transient, shader};
 
 /// `Seed`s of `seed.wgsl`.
 pub(super) const SEED_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rg32Uint;
@@ -11,7 +11,7 @@ const TILE_PX: u32 = 32;
 /// The long-lived pipeline.
 #[derive(Debug)]
 pub(super) struct Flood {
-    pipeline: wgpu::RenderPipeline,
+    pipeline: RenderPipeline,
 }
 
 /// Tiles of a picture that are wide enough for all lines to lie in.
@@ -21,9 +21,9 @@ pub(super) fn tiles(size: [u32; 2]) -> u32 {
 
 impl Flood {
     pub(super) fn new(gpu: &Gpu) -> Self {
-        let module = gpu.device.create_shader_module(shader!("ink/flood"));
+        let module = gpu.module(shader!("ink/flood"));
         let pipeline = RasterPipeline { label: "ink.flood", targets: &[SEED_FORMAT], ..Default::default() };
-        Self { pipeline: pipeline.build(&gpu.device, &module) }
+        Self { pipeline: pipeline.build(&module) }
     }
 
     /// Spreads `seeds`, of a picture of `size`, as far as `radius_px`, in the `tiles` that are not 0.

@@ -1,6 +1,6 @@
 //! How much ink there is around each place.
 
-use crate::gpu::{Frame, Gpu, RasterPipeline, Target, Transient, shader};
+use crate::gpu::{Frame, Gpu, RasterPipeline, RenderPipeline, Target, Transient, shader};
 
 /// Share of a cell that is inked; then 1 where any of it is.
 const SHARE_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rg8Unorm;
@@ -14,8 +14,8 @@ const WINDOW_CELLS: u32 = 5;
 /// Long-lived pipelines.
 #[derive(Debug)]
 pub(crate) struct Gather {
-    share: wgpu::RenderPipeline,
-    around: wgpu::RenderPipeline,
+    share: RenderPipeline,
+    around: RenderPipeline,
 }
 
 /// Ink around each cell of the picture.
@@ -38,8 +38,8 @@ impl InkAround {
 impl Gather {
     pub(crate) fn new(gpu: &Gpu) -> Self {
         let build = |program, label, format| {
-            let module = gpu.device.create_shader_module(program);
-            RasterPipeline { label, targets: &[format], ..Default::default() }.build(&gpu.device, &module)
+            let module = gpu.module(program);
+            RasterPipeline { label, targets: &[format], ..Default::default() }.build(&module)
         };
         Self {
             share: build(shader!("ink/share"), "ink.share", SHARE_FORMAT),

@@ -5,7 +5,7 @@ use super::{
     flood::{Flood, SEED_FORMAT, tiles},
 };
 use crate::{
-    gpu::{Frame, Gpu, RasterPipeline, Target, Transient, shader},
+    gpu::{Frame, Gpu, RasterPipeline, RenderPipeline, Target, Transient, shader},
     layers::{self, Layers},
     shapes::puffs::Subject,
 };
@@ -29,17 +29,17 @@ struct ImageUniform {
 #[derive(Debug)]
 pub(crate) struct Image {
     /// Of whole pieces, and of single triangles.
-    borders: [wgpu::RenderPipeline; 2],
-    find: wgpu::RenderPipeline,
+    borders: [RenderPipeline; 2],
+    find: RenderPipeline,
     flood: Flood,
-    draw: wgpu::RenderPipeline,
+    draw: RenderPipeline,
 }
 
 impl Image {
     pub(crate) fn new(gpu: &Gpu) -> Self {
         let build = |program, pipeline: RasterPipeline<'_>| {
-            let module = gpu.device.create_shader_module(program);
-            pipeline.build(&gpu.device, &module)
+            let module = gpu.module(program);
+            pipeline.build(&module)
         };
         let borders = [0.0, 1.0].map(|has_image| {
             let constants = [("HAS_IMAGE", has_image)];

@@ -1,7 +1,7 @@
 //! Layers in which the lines of inner surfaces are found.
 
 use crate::{
-    gpu::{Frame, Gpu, RasterPipeline, Transient, shader},
+    gpu::{Frame, Gpu, RasterPipeline, RenderPipeline, Transient, shader},
     layers::{self, ID_FORMAT, Layers},
     shapes::{mesh, puffs::Subject},
 };
@@ -9,19 +9,19 @@ use crate::{
 /// The long-lived pipeline.
 #[derive(Debug)]
 pub(crate) struct Inner {
-    others: wgpu::RenderPipeline,
+    others: RenderPipeline,
 }
 
 impl Inner {
     pub(crate) fn new(gpu: &Gpu) -> Self {
-        let module = gpu.device.create_shader_module(shader!("ink/others"));
+        let module = gpu.module(shader!("ink/others"));
         let pipeline = RasterPipeline {
             label: "ink.others",
             targets: &[ID_FORMAT],
             depth: Some(layers::nearest_wins()),
             ..Default::default()
         };
-        Self { others: pipeline.build(&gpu.device, &module) }
+        Self { others: pipeline.build(&module) }
     }
 
     /// Layers of the surfaces that `members` numbers, which lie inside others at one `level`, and of what else

@@ -2,7 +2,9 @@
 
 use super::INK_FORMAT;
 use crate::{
-    gpu::{Frame, Gpu, RasterPipeline, Slot, Target, Transient, kernels, shader},
+    gpu::{
+        ComputePipeline, Frame, Gpu, RasterPipeline, RenderPipeline, Slot, Target, Transient, kernels, shader,
+    },
     layers::Layers,
     shapes::puffs::{Bins, Subject, WALK_SLOTS},
 };
@@ -10,18 +12,18 @@ use crate::{
 /// Long-lived pipelines.
 #[derive(Debug)]
 pub(crate) struct Outline {
-    first: wgpu::ComputePipeline,
-    over: wgpu::ComputePipeline,
-    draw: wgpu::RenderPipeline,
+    first: ComputePipeline,
+    over: ComputePipeline,
+    draw: RenderPipeline,
 }
 
 impl Outline {
     pub(crate) fn new(gpu: &Gpu) -> Self {
         let slots: Vec<_> = WALK_SLOTS.into_iter().chain([Slot::Ids, Slot::Depth]).collect();
         let [first, over] = kernels(gpu, shader!("ink/outline"), &slots, ["first", "over"]);
-        let module = gpu.device.create_shader_module(shader!("ink/outlined"));
+        let module = gpu.module(shader!("ink/outlined"));
         let draw = RasterPipeline { label: "ink.outlined", targets: &[INK_FORMAT], ..Default::default() };
-        Self { first, over, draw: draw.build(&gpu.device, &module) }
+        Self { first, over, draw: draw.build(&module) }
     }
 
     /// Inks the puffs that `bins` lists into `ink`, where they are nearer than `depth` tells.

@@ -2,7 +2,7 @@
 
 use super::INK_FORMAT;
 use crate::{
-    gpu::{Frame, Gpu, RasterPipeline, Target, Transient, shader},
+    gpu::{Frame, Gpu, RasterPipeline, RenderPipeline, Target, Transient, shader},
     layers::{self, Layers},
     shapes::puffs::Subject,
 };
@@ -10,19 +10,19 @@ use crate::{
 /// The long-lived pipeline.
 #[derive(Debug)]
 pub(crate) struct Shell {
-    pipeline: wgpu::RenderPipeline,
+    pipeline: RenderPipeline,
 }
 
 impl Shell {
     pub(crate) fn new(gpu: &Gpu) -> Self {
-        let module = gpu.device.create_shader_module(shader!("ink/shell"));
+        let module = gpu.module(shader!("ink/shell"));
         let pipeline = RasterPipeline {
             label: "ink.shell",
             targets: &[INK_FORMAT],
             depth: Some(layers::in_front()),
             ..Default::default()
         };
-        Self { pipeline: pipeline.build(&gpu.device, &module) }
+        Self { pipeline: pipeline.build(&module) }
     }
 
     /// Adds to `ink` the outlines of the objects of those numbers.

@@ -5,7 +5,8 @@ use fumetto_scene::EdgeKind;
 use super::INK_FORMAT;
 use crate::{
     gpu::{
-        Compact, Frame, Gpu, Listing, RasterPipeline, Slot, Target, Transient, kernels, shader, workgroups,
+        Compact, ComputePipeline, Frame, Gpu, Listing, RasterPipeline, RenderPipeline, Slot, Target,
+        Transient, kernels, shader, workgroups,
     },
     layers::{self, DEPTH_FORMAT, Layers},
     shapes::{mesh::LineScene, puffs::Subject},
@@ -23,27 +24,27 @@ pub(crate) struct Vector {
 
 #[derive(Debug)]
 struct Pipelines {
-    find: wgpu::ComputePipeline,
-    stroke: wgpu::RenderPipeline,
+    find: ComputePipeline,
+    stroke: RenderPipeline,
 }
 
 impl Pipelines {
     fn new(
         gpu: &Gpu,
-        find: wgpu::ShaderModuleDescriptor<'_>,
-        stroke: wgpu::ShaderModuleDescriptor<'_>,
+        find: wgpu::ShaderModuleDescriptor<'static>,
+        stroke: wgpu::ShaderModuleDescriptor<'static>,
     ) -> Self {
         let slots =
             [Slot::Uniform, Slot::Read, Slot::Read, Slot::Uniform, Slot::Write, Slot::Read, Slot::Read];
         let [find] = kernels(gpu, find, &slots, ["main"]);
-        let module = gpu.device.create_shader_module(stroke);
+        let module = gpu.module(stroke);
         let stroke = RasterPipeline {
             label: "ink.strip",
             targets: &[INK_FORMAT],
             depth: Some(layers::nearest_wins()),
             ..Default::default()
         };
-        Self { find, stroke: stroke.build(&gpu.device, &module) }
+        Self { find, stroke: stroke.build(&module) }
     }
 }
 

@@ -5,7 +5,7 @@
 
 use super::{LightsUniform, shadows::SHADOW_FORMAT};
 use crate::{
-    gpu::{Frame, Gpu, RasterPipeline, Target, Transient, linear_sampler, shader},
+    gpu::{Frame, Gpu, RasterPipeline, RenderPipeline, Target, Transient, linear_sampler, shader},
     layers::Layers,
 };
 
@@ -21,7 +21,7 @@ pub(crate) struct Cluster {
 /// The long-lived pipeline.
 #[derive(Debug)]
 pub(crate) struct Clusters {
-    pipeline: wgpu::RenderPipeline,
+    pipeline: RenderPipeline,
     linear: wgpu::Sampler,
 }
 
@@ -38,10 +38,10 @@ struct GatheringUniform {
 
 impl Clusters {
     pub(crate) fn new(gpu: &Gpu) -> Self {
-        let module = gpu.device.create_shader_module(shader!("light/gather"));
+        let module = gpu.module(shader!("light/gather"));
         let pipeline =
             RasterPipeline { label: "light.gather", targets: &[SHADOW_FORMAT], ..Default::default() };
-        Self { pipeline: pipeline.build(&gpu.device, &module), linear: linear_sampler(gpu) }
+        Self { pipeline: pipeline.build(&module), linear: linear_sampler(gpu) }
     }
 
     /// Adds to `shadow` what each of the clusters keeps away from what `layers` show; `cast` tells where lights throw

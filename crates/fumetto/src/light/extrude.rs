@@ -3,7 +3,7 @@
 use wgpu::util::DeviceExt as _;
 
 use crate::{
-    gpu::{Frame, Gpu, Slot, kernels, shader, workgroups},
+    gpu::{ComputePipeline, Frame, Gpu, Slot, kernels, shader, workgroups},
     shapes::{
         mesh::{Casters, Reserved},
         puffs::Subject,
@@ -14,9 +14,9 @@ use crate::{
 #[derive(Debug)]
 pub(super) struct Extrude {
     /// For models: caps, then sides.
-    models: [wgpu::ComputePipeline; 2],
+    models: [ComputePipeline; 2],
     /// For surfaces that the device makes.
-    closed: [wgpu::ComputePipeline; 2],
+    closed: [ComputePipeline; 2],
 }
 
 #[repr(C)]
@@ -87,7 +87,7 @@ impl Extrude {
         frame: &mut Frame<'_>,
         subject: Subject<'_>,
         extruded: &Extruded<'_>,
-        ([list_caps, list_sides], own): (&[wgpu::ComputePipeline; 2], [&wgpu::Buffer; 2]),
+        ([list_caps, list_sides], own): (&[ComputePipeline; 2], [&wgpu::Buffer; 2]),
         [caps, sides]: [u32; 2],
     ) {
         let Extruded { casters, uniform, draws } = extruded;

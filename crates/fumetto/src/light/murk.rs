@@ -5,7 +5,7 @@
 
 use super::{LightsUniform, shadows::SHADOW_FORMAT};
 use crate::{
-    gpu::{Frame, Gpu, RasterPipeline, Target, Transient, linear_sampler, shader},
+    gpu::{Frame, Gpu, RasterPipeline, RenderPipeline, Target, Transient, linear_sampler, shader},
     layers::Layers,
     shapes::{
         puffs::Subject,
@@ -16,17 +16,16 @@ use crate::{
 /// Long-lived pipelines.
 #[derive(Debug)]
 pub(crate) struct Murk {
-    of_cells: wgpu::RenderPipeline,
-    of_bricks: wgpu::RenderPipeline,
+    of_cells: RenderPipeline,
+    of_bricks: RenderPipeline,
     linear: wgpu::Sampler,
 }
 
 impl Murk {
     pub(crate) fn new(gpu: &Gpu) -> Self {
         let build = |label, program| {
-            let module = gpu.device.create_shader_module(program);
-            RasterPipeline { label, targets: &[SHADOW_FORMAT], ..Default::default() }
-                .build(&gpu.device, &module)
+            let module = gpu.module(program);
+            RasterPipeline { label, targets: &[SHADOW_FORMAT], ..Default::default() }.build(&module)
         };
         Self {
             of_cells: build("light.murk", shader!("light/murk")),

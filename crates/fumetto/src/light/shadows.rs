@@ -6,8 +6,8 @@
 use super::LightsUniform;
 use crate::{
     gpu::{
-        Compact, DrawList, Frame, Gpu, Listing, RasterPipeline, Slot, Target, Transient, kernels, shader,
-        workgroups,
+        Compact, ComputePipeline, DrawList, Frame, Gpu, Listing, RasterPipeline, RenderPipeline, Slot,
+        Target, Transient, kernels, shader, workgroups,
     },
     layers::Layers,
     shapes::puffs::{Atlas, HEIGHTS_SLOT, Pyramid, Reduce, Subject},
@@ -30,12 +30,12 @@ const TEAMS: u32 = 256;
 /// Long-lived pipelines.
 #[derive(Debug)]
 pub(crate) struct Shadows {
-    casters: wgpu::ComputePipeline,
-    small: wgpu::ComputePipeline,
-    large: wgpu::ComputePipeline,
-    depths: wgpu::RenderPipeline,
-    shadowed: wgpu::RenderPipeline,
-    settle: wgpu::RenderPipeline,
+    casters: ComputePipeline,
+    small: ComputePipeline,
+    large: ComputePipeline,
+    depths: RenderPipeline,
+    shadowed: RenderPipeline,
+    settle: RenderPipeline,
 }
 
 /// What one frame's shadows are found with.
@@ -73,8 +73,8 @@ impl Shadows {
             [Uniform, Uniform, Uniform, Uniform, Read, Read, Read, Uniform, HEIGHTS_SLOT, depths, Write];
         let [small, large] = kernels(gpu, shader!("light/cast"), &slots, ["small", "large"]);
         let raster = |label, program, format| {
-            let module = gpu.device.create_shader_module(program);
-            RasterPipeline { label, targets: &[format], ..Default::default() }.build(&gpu.device, &module)
+            let module = gpu.module(program);
+            RasterPipeline { label, targets: &[format], ..Default::default() }.build(&module)
         };
         Self {
             casters,

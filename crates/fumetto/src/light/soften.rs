@@ -1,14 +1,14 @@
 //! Gives tones shapes of a least size.
 
 use crate::{
-    gpu::{Frame, Gpu, RasterPipeline, Target, Transient, View, shader},
+    gpu::{Frame, Gpu, RasterPipeline, RenderPipeline, Target, Transient, View, shader},
     layers,
 };
 
 /// The long-lived pipeline.
 #[derive(Debug)]
 pub(crate) struct Soften {
-    pipeline: wgpu::RenderPipeline,
+    pipeline: RenderPipeline,
 }
 
 #[repr(C)]
@@ -23,10 +23,10 @@ struct SoftenUniform {
 
 impl Soften {
     pub(crate) fn new(gpu: &Gpu) -> Self {
-        let module = gpu.device.create_shader_module(shader!("light/soften"));
+        let module = gpu.module(shader!("light/soften"));
         let pipeline =
             RasterPipeline { label: "light.soften", targets: &[layers::NORMAL_FORMAT], ..Default::default() };
-        Self { pipeline: pipeline.build(&gpu.device, &module) }
+        Self { pipeline: pipeline.build(&module) }
     }
 
     /// Averages normals over `radius` texels to each side; `step` pixels make a texel.

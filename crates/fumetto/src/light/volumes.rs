@@ -12,7 +12,7 @@ use super::{
     shadows::SHADOW_FORMAT,
 };
 use crate::{
-    gpu::{Frame, Gpu, RasterPipeline, Target, Transient, linear_sampler, shader},
+    gpu::{Frame, Gpu, RasterPipeline, RenderPipeline, Target, Transient, linear_sampler, shader},
     layers::{DEPTH_FORMAT, Layers},
     shapes::{mesh::Casters, puffs::Subject},
 };
@@ -31,18 +31,18 @@ const DRAW_BYTES: u64 = 16;
 pub(crate) struct Volumes {
     extrude: Extrude,
     /// Caps whose lit side is seen, and the others.
-    caps: [wgpu::RenderPipeline; 2],
-    far_caps: wgpu::RenderPipeline,
-    sides: wgpu::RenderPipeline,
-    counted: wgpu::RenderPipeline,
+    caps: [RenderPipeline; 2],
+    far_caps: RenderPipeline,
+    sides: RenderPipeline,
+    counted: RenderPipeline,
     linear: wgpu::Sampler,
 }
 
 impl Volumes {
     pub(crate) fn new(gpu: &Gpu) -> Self {
-        let module = |program| gpu.device.create_shader_module(program);
+        let module = |program| gpu.module(program);
         let cap = module(shader!("light/cap"));
-        let caps = |is_far, behind, bias| face("light.cap", is_far, behind, bias).build(&gpu.device, &cap);
+        let caps = |is_far, behind, bias| face("light.cap", is_far, behind, bias).build(&cap);
         let counted =
             RasterPipeline { label: "light.counted", targets: &[SHADOW_FORMAT], ..Default::default() };
         Self {
@@ -55,8 +55,8 @@ impl Volumes {
             ],
             far_caps: caps(&[("IS_FAR", 1.0)], wgpu::CompareFunction::Less, 0),
             sides: face("light.side", &[], wgpu::CompareFunction::Less, 0)
-                .build(&gpu.device, &module(shader!("light/side"))),
-            counted: counted.build(&gpu.device, &module(shader!("light/counted"))),
+                .build(&module(shader!("light/side"))),
+            counted: counted.build(&module(shader!("light/counted"))),
             linear: linear_sampler(gpu),
         }
     }
@@ -148,8 +148,8 @@ impl Volumes {
 
 /// Faces that count where they lie `behind` what is seen.
 fn face<'a>(
-    label: &'a str,
-    constants: &'a [(&'a str, f64)],
+    label: &'static str,
+    constants: &'a [(&'static str, f64)],
     behind: wgpu::CompareFunction,
     bias: i32,
 ) -> RasterPipeline<'a> {

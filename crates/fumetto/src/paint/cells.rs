@@ -10,7 +10,7 @@ use super::{
     orders::Order,
 };
 use crate::{
-    gpu::{Frame, Gpu, Slot, kernels, shader},
+    gpu::{ComputePipeline, Frame, Gpu, Slot, kernels, shader},
     shapes::mesh::Geometry,
 };
 
@@ -37,10 +37,10 @@ const BLEND: f32 = 0.3;
 /// Long-lived kernels.
 #[derive(Debug)]
 pub(super) struct Pouring {
-    give: wgpu::ComputePipeline,
-    take: wgpu::ComputePipeline,
-    order: wgpu::ComputePipeline,
-    settle: wgpu::ComputePipeline,
+    give: ComputePipeline,
+    take: ComputePipeline,
+    order: ComputePipeline,
+    settle: ComputePipeline,
 }
 
 /// The grid of one paint on the device.

@@ -2,7 +2,7 @@
 
 use super::{PaintScene, coat::Coats};
 use crate::{
-    gpu::{Frame, Gpu, Slot, kernels, shader},
+    gpu::{ComputePipeline, Frame, Gpu, Slot, kernels, shader},
     layers::Layers,
 };
 
@@ -12,7 +12,7 @@ const TILE_PX: [u32; 2] = [16, 16];
 /// The long-lived kernel.
 #[derive(Debug)]
 pub(crate) struct Mask {
-    pipeline: wgpu::ComputePipeline,
+    pipeline: ComputePipeline,
 }
 
 /// What is known of each pixel.

@@ -1,16 +1,16 @@
 //! How volumes move, step by step.
 
 use super::{PaintScene, cells::Pouring, group::Group, stains::Touching};
-use crate::gpu::{Frame, Gpu, Slot, folded, kernels, shader, workgroups};
+use crate::gpu::{ComputePipeline, Frame, Gpu, Slot, folded, kernels, shader, workgroups};
 
 /// Long-lived kernels.
 #[derive(Debug)]
 pub(crate) struct Spreading {
     pouring: Pouring,
     touching: Touching,
-    spread: wgpu::ComputePipeline,
-    run: wgpu::ComputePipeline,
-    measure: wgpu::ComputePipeline,
+    spread: ComputePipeline,
+    run: ComputePipeline,
+    measure: ComputePipeline,
 }
 
 impl Spreading {

@@ -5,7 +5,7 @@ use fumetto_scene::{Curve, Paint, Stain, StainRoom};
 
 use super::{ground::Ground, group::Ordered, orders::Order};
 use crate::{
-    gpu::{Frame, Gpu, Slot, kernels, shader, workgroups},
+    gpu::{ComputePipeline, Frame, Gpu, Slot, kernels, shader, workgroups},
     particles::Emission,
 };
 
@@ -24,8 +24,8 @@ const BLEND: f32 = 0.15;
 /// Long-lived kernels.
 #[derive(Debug)]
 pub(super) struct Touching {
-    touch: wgpu::ComputePipeline,
-    order: wgpu::ComputePipeline,
+    touch: ComputePipeline,
+    order: ComputePipeline,
 }
 
 /// What the particles of one emitter leave, on the device.

@@ -9,13 +9,13 @@ use super::{
     state::Particle,
     vortex::{Span, Tree},
 };
-use crate::gpu::{Frame, Gpu, Slot, kernels, shader, workgroups};
+use crate::gpu::{ComputePipeline, Frame, Gpu, Slot, kernels, shader, workgroups};
 
 /// The long-lived kernel.
 #[derive(Debug)]
 pub(super) struct Motion {
-    step: wgpu::ComputePipeline,
-    step_in_grid: wgpu::ComputePipeline,
+    step: ComputePipeline,
+    step_in_grid: ComputePipeline,
 }
 
 /// What carries particles.

@@ -2,7 +2,7 @@
 
 use super::{Backdrop, CEL_FORMAT};
 use crate::{
-    gpu::{Frame, Gpu, RasterPipeline, Region, Target, Transient, linear_sampler, shader},
+    gpu::{Frame, Gpu, RasterPipeline, Region, RenderPipeline, Target, Transient, linear_sampler, shader},
     ink::InkAround,
     shapes::puffs::Subject,
 };
@@ -14,11 +14,11 @@ const TILE_PX: u32 = 32;
 #[derive(Debug)]
 pub(crate) struct Compose {
     /// Averages and blends a cel with its ink.
-    compose: wgpu::RenderPipeline,
+    compose: RenderPipeline,
     /// Lays a backdrop.
-    lay: wgpu::RenderPipeline,
+    lay: RenderPipeline,
     /// Draws ink.
-    lines: wgpu::RenderPipeline,
+    lines: RenderPipeline,
     sampler: wgpu::Sampler,
 }
 
@@ -103,8 +103,8 @@ impl<'a> Inked<'a> {
 impl Compose {
     pub(crate) fn new(gpu: &Gpu) -> Self {
         let build = |label, program| {
-            let module = gpu.device.create_shader_module(program);
-            RasterPipeline { label, targets: &[CEL_FORMAT], ..Default::default() }.build(&gpu.device, &module)
+            let module = gpu.module(program);
+            RasterPipeline { label, targets: &[CEL_FORMAT], ..Default::default() }.build(&module)
         };
         Self {
             compose: build("tone.compose", shader!("tone/compose")),

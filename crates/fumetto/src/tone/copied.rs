@@ -2,7 +2,7 @@
 
 use super::{CEL_FORMAT, Canvas, Ramps};
 use crate::{
-    gpu::{Frame, Gpu, RasterPipeline, Transient, linear_sampler, shader},
+    gpu::{Frame, Gpu, RasterPipeline, RenderPipeline, Transient, linear_sampler, shader},
     layers::{self, Layers},
     shapes::puffs::Subject,
 };
@@ -11,13 +11,13 @@ use crate::{
 #[derive(Debug)]
 pub(crate) struct Copied {
     /// For a cel of its own, and for the picture; of each without shadows, and with them.
-    pipelines: [[wgpu::RenderPipeline; 2]; 2],
+    pipelines: [[RenderPipeline; 2]; 2],
     linear: wgpu::Sampler,
 }
 
 impl Copied {
     pub(crate) fn new(gpu: &Gpu) -> Self {
-        let module = gpu.device.create_shader_module(shader!("tone/copied"));
+        let module = gpu.module(shader!("tone/copied"));
         let build = |is_picture, has_shadows| {
             let pipeline = RasterPipeline {
                 label: "tone.copied",
@@ -26,7 +26,7 @@ impl Copied {
                 constants: &[("IS_PICTURE", is_picture), ("HAS_SHADOWS", has_shadows)],
                 ..Default::default()
             };
-            pipeline.build(&gpu.device, &module)
+            pipeline.build(&module)
         };
         let pipelines =
             [0.0, 1.0].map(|is_picture| [0.0, 1.0].map(|has_shadows| build(is_picture, has_shadows)));

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::{Canvas, Features, HatchStyles, Hatched, Ramps};
 use crate::{
-    gpu::{Frame, Gpu, RasterPipeline, Transient, linear_sampler, shader},
+    gpu::{Frame, Gpu, Module, RasterPipeline, RenderPipeline, Transient, linear_sampler, shader},
     layers::{self, Layers},
     shapes::puffs::Subject,
 };
@@ -15,8 +15,8 @@ pub(crate) const CEL_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Uno
 /// Long-lived pipelines.
 #[derive(Debug)]
 pub(crate) struct Flat {
-    module: wgpu::ShaderModule,
-    pipelines: BTreeMap<Features, wgpu::RenderPipeline>,
+    module: Module,
+    pipelines: BTreeMap<Features, RenderPipeline>,
     linear: wgpu::Sampler,
     /// Where nothing is hatched.
     no_strokes: wgpu::Buffer,
@@ -35,22 +35,18 @@ struct SamplingUniform {
 
 impl Flat {
     pub(crate) fn new(gpu: &Gpu) -> Self {
-        let module = gpu.device.create_shader_module(shader!("tone/flat"));
+        let module = gpu.module(shader!("tone/flat"));
         let no_strokes = gpu.device.create_buffer(&wgpu::BufferDescriptor {
             label: Some("tone.flat.no-strokes"),
             size: size_of::<HatchStyles>() as u64,
             usage: wgpu::BufferUsages::UNIFORM,
             mapped_at_creation: false,
         });
-        let mut flat = Self { module, pipelines: BTreeMap::new(), linear: linear_sampler(gpu), no_strokes };
-        for features in Features::PLAIN {
-            flat.prepare(gpu, features);
-        }
-        flat
+        Self { module, pipelines: BTreeMap::new(), linear: linear_sampler(gpu), no_strokes }
     }
 
-    /// Makes the pipelines for what a scene needs, for a cel of its own and for the picture.
-    pub(crate) fn prepare(&mut self, gpu: &Gpu, features: Features) {
+    /// Sees to the pipelines for what a scene needs, for a cel of its own and for the picture.
+    pub(crate) fn prepare(&mut self, features: Features) {
         for features in [features, features.for_picture()] {
             self.pipelines.entry(features).or_insert_with(|| {
                 let pipeline = RasterPipeline {
@@ -60,7 +56,7 @@ impl Flat {
                     constants: &features.constants(),
                     ..Default::default()
                 };
-                pipeline.build(&gpu.device, &self.module)
+                pipeline.build(&self.module)
             });
         }
     }

@@ -1,7 +1,7 @@
 //! The form that strokes bend round: distances, smoothed.
 
 use crate::{
-    gpu::{Frame, Gpu, RasterPipeline, Target, Transient, shader},
+    gpu::{Frame, Gpu, RasterPipeline, RenderPipeline, Target, Transient, shader},
     layers::Layers,
 };
 
@@ -27,8 +27,8 @@ const STEEPEST: f32 = 6.0;
 /// Long-lived pipelines.
 #[derive(Debug)]
 pub(crate) struct Ground {
-    smooth: wgpu::RenderPipeline,
-    slopes: wgpu::RenderPipeline,
+    smooth: RenderPipeline,
+    slopes: RenderPipeline,
 }
 
 /// Distances as strokes see them.
@@ -62,8 +62,8 @@ struct SlopesUniform {
 impl Ground {
     pub(crate) fn new(gpu: &Gpu) -> Self {
         let build = |label, program, format| {
-            let module = gpu.device.create_shader_module(program);
-            RasterPipeline { label, targets: &[format], ..Default::default() }.build(&gpu.device, &module)
+            let module = gpu.module(program);
+            RasterPipeline { label, targets: &[format], ..Default::default() }.build(&module)
         };
         Self {
             smooth: build("tone.ground", shader!("tone/ground"), GROUND_FORMAT),

@@ -5,7 +5,7 @@ use super::{
     compose::{ComposeUniform, Inked, Sheet, Under},
 };
 use crate::{
-    gpu::{Frame, Gpu, RasterPipeline, Target, Transient, linear_sampler, shader},
+    gpu::{Frame, Gpu, RasterPipeline, RenderPipeline, Target, Transient, linear_sampler, shader},
     ink::INK_FORMAT,
     layers::Layers,
     paint::Marks,
@@ -15,15 +15,15 @@ use crate::{
 /// The long-lived pipeline.
 #[derive(Debug)]
 pub(crate) struct Reveal {
-    pipeline: wgpu::RenderPipeline,
+    pipeline: RenderPipeline,
     sampler: wgpu::Sampler,
 }
 
 impl Reveal {
     pub(crate) fn new(gpu: &Gpu) -> Self {
-        let module = gpu.device.create_shader_module(shader!("tone/reveal"));
+        let module = gpu.module(shader!("tone/reveal"));
         let pipeline = RasterPipeline { label: "tone.reveal", targets: &[CEL_FORMAT], ..Default::default() };
-        Self { pipeline: pipeline.build(&gpu.device, &module), sampler: linear_sampler(gpu) }
+        Self { pipeline: pipeline.build(&module), sampler: linear_sampler(gpu) }
     }
 
     /// `cel` with its ink as the paints show it that `marks` tell of, where they show it in the look of number

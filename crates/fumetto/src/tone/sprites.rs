@@ -4,7 +4,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use super::{CEL_FORMAT, Ramps};
 use crate::{
-    gpu::{Frame, Gpu, RasterPipeline, Target, Transient, shader},
+    gpu::{Frame, Gpu, RasterPipeline, RenderPipeline, Target, Transient, shader},
     shapes::puffs::{Atlas, Subject},
 };
 
@@ -18,7 +18,7 @@ pub(crate) const MAX_OBJECTS: usize = 8192 / (SPRITE_PX * ROTATIONS) as usize;
 /// The long-lived pipeline, and what it drew last.
 #[derive(Debug)]
 pub(crate) struct Sprites {
-    pipeline: wgpu::RenderPipeline,
+    pipeline: RenderPipeline,
     last: Mutex<Option<Shaded>>,
 }
 
@@ -33,9 +33,9 @@ struct Shaded {
 
 impl Sprites {
     pub(crate) fn new(gpu: &Gpu) -> Self {
-        let module = gpu.device.create_shader_module(shader!("tone/sprites"));
+        let module = gpu.module(shader!("tone/sprites"));
         let pipeline = RasterPipeline { label: "tone.sprites", targets: &[CEL_FORMAT], ..Default::default() };
-        Self { pipeline: pipeline.build(&gpu.device, &module), last: Mutex::new(None) }
+        Self { pipeline: pipeline.build(&module), last: Mutex::new(None) }
     }
 
     /// Every variant of every object in every rotation, shaded. `look` is all that this depends on beside the

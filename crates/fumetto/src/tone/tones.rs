@@ -118,9 +118,6 @@ impl Features {
         "IS_PICTURE",
     ];
 
-    /// What cels of puffs need whose style is plain, and those that may show triangles too.
-    pub(crate) const PLAIN: [Self; 2] = [Self(0), Self(1)];
-
     /// What `objects` need.
     pub(crate) fn of(objects: &[Object], has_meshes: bool) -> Self {
         let any = |needs: fn(&Object) -> bool| objects.iter().any(|object| object.visible && needs(object));

@@ -1,7 +1,7 @@
 //! Which way the form bends most, where strokes run that way.
 
 use super::ground::Grounded;
-use crate::gpu::{Frame, Gpu, RasterPipeline, Target, Transient, shader};
+use crate::gpu::{Frame, Gpu, RasterPipeline, RenderPipeline, Target, Transient, shader};
 
 /// Two numbers: see `turns.wgsl`.
 const TURNS_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rg16Float;
@@ -16,7 +16,7 @@ pub(crate) const TURNS_PX: f32 = RADIUS as f32 * super::ground::COARSEST;
 /// The long-lived pipeline.
 #[derive(Debug)]
 pub(crate) struct Turns {
-    pipeline: wgpu::RenderPipeline,
+    pipeline: RenderPipeline,
 }
 
 #[repr(C)]
@@ -29,9 +29,9 @@ struct TurnsUniform {
 
 impl Turns {
     pub(crate) fn new(gpu: &Gpu) -> Self {
-        let module = gpu.device.create_shader_module(shader!("tone/turns"));
+        let module = gpu.module(shader!("tone/turns"));
         let pipeline = RasterPipeline { label: "tone.turns", targets: &[TURNS_FORMAT], ..Default::default() };
-        Self { pipeline: pipeline.build(&gpu.device, &module) }
+        Self { pipeline: pipeline.build(&module) }
     }
 
     /// Works directions out; where nothing wants them (`is_wanted`), it costs nothing.

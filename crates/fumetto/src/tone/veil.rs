@@ -4,14 +4,14 @@ use fumetto_scene::Object;
 
 use super::CEL_FORMAT;
 use crate::{
-    gpu::{Frame, Gpu, RasterPipeline, Target, Transient, shader},
+    gpu::{Frame, Gpu, RasterPipeline, RenderPipeline, Target, Transient, shader},
     layers::Layers,
 };
 
 /// The long-lived pipeline.
 #[derive(Debug)]
 pub(crate) struct Veil {
-    pipeline: wgpu::RenderPipeline,
+    pipeline: RenderPipeline,
 }
 
 #[repr(C)]
@@ -24,9 +24,9 @@ struct VeilUniform {
 
 impl Veil {
     pub(crate) fn new(gpu: &Gpu) -> Self {
-        let module = gpu.device.create_shader_module(shader!("tone/veil"));
+        let module = gpu.module(shader!("tone/veil"));
         let pipeline = RasterPipeline { label: "tone.veil", targets: &[CEL_FORMAT], ..Default::default() };
-        Self { pipeline: pipeline.build(&gpu.device, &module) }
+        Self { pipeline: pipeline.build(&module) }
     }
 
     /// Blends the tones in `cel` with what a camera would see, where the cel is of an object that wants it.

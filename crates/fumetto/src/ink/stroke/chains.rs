@@ -2,7 +2,7 @@
 
 use super::{StrokeRoom, StrokeStyle};
 use crate::{
-    gpu::{Frame, Gpu, Slot, kernels, shader},
+    gpu::{ComputePipeline, Frame, Gpu, Slot, kernels, shader},
     ink::MAX_PENS,
     layers::Layers,
     shapes::{mesh::LineScene, puffs::Subject},
@@ -11,22 +11,22 @@ use crate::{
 /// Long-lived kernels.
 #[derive(Debug)]
 pub(super) struct Chains {
-    count: wgpu::ComputePipeline,
+    count: ComputePipeline,
     /// Of models, then of surfaces.
-    pieces: [wgpu::ComputePipeline; 2],
-    insert: wgpu::ComputePipeline,
-    pair: wgpu::ComputePipeline,
-    begin: wgpu::ComputePipeline,
-    seek: wgpu::ComputePipeline,
-    orient: wgpu::ComputePipeline,
-    rank: wgpu::ComputePipeline,
-    total: wgpu::ComputePipeline,
-    starts: wgpu::ComputePipeline,
-    place: wgpu::ComputePipeline,
+    pieces: [ComputePipeline; 2],
+    insert: ComputePipeline,
+    pair: ComputePipeline,
+    begin: ComputePipeline,
+    seek: ComputePipeline,
+    orient: ComputePipeline,
+    rank: ComputePipeline,
+    total: ComputePipeline,
+    starts: ComputePipeline,
+    place: ComputePipeline,
     /// Of models, then of surfaces.
-    see: [wgpu::ComputePipeline; 2],
-    bridge: wgpu::ComputePipeline,
-    smooth: wgpu::ComputePipeline,
+    see: [ComputePipeline; 2],
+    bridge: ComputePipeline,
+    smooth: ComputePipeline,
 }
 
 impl Chains {

@@ -2,7 +2,7 @@
 
 use super::{Drawing, StrokeRoom, TOOTH_SIDE};
 use crate::{
-    gpu::{Frame, Gpu, RasterPipeline, Target, Transient, shader},
+    gpu::{Frame, Gpu, RasterPipeline, RenderPipeline, Target, Transient, shader},
     ink::INK_FORMAT,
     layers::{self, Layers},
     shapes::puffs::Subject,
@@ -14,13 +14,13 @@ pub(crate) const PAPER_HEIGHT: f32 = 720.0;
 /// The long-lived pipeline.
 #[derive(Debug)]
 pub(super) struct Polygons {
-    pipeline: wgpu::RenderPipeline,
+    pipeline: RenderPipeline,
     sampler: wgpu::Sampler,
 }
 
 impl Polygons {
     pub(super) fn new(gpu: &Gpu) -> Self {
-        let module = gpu.device.create_shader_module(shader!("ink/stroke/polygon"));
+        let module = gpu.module(shader!("ink/stroke/polygon"));
         let pipeline = RasterPipeline {
             label: "ink.stroke.polygon",
             targets: &[INK_FORMAT],
@@ -37,7 +37,7 @@ impl Polygons {
             mipmap_filter: wgpu::MipmapFilterMode::Linear,
             ..Default::default()
         });
-        Self { pipeline: pipeline.build(&gpu.device, &module), sampler }
+        Self { pipeline: pipeline.build(&module), sampler }
     }
 
     pub(super) fn record(

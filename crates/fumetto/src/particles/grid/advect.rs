@@ -1,32 +1,32 @@
 //! Velocity, heat and smoke are carried along by the velocity.
 
 use super::Moment;
-use crate::gpu::{Frame, Gpu, Slot, kernels, shader};
+use crate::gpu::{ComputePipeline, Frame, Gpu, Slot, kernels, shader};
 
 /// Long-lived kernels.
 #[derive(Debug)]
 pub(super) struct Advect {
-    busy: wgpu::ComputePipeline,
+    busy: ComputePipeline,
     /// For each axis.
     velocity: [Carrying; 3],
-    guess_heat: wgpu::ComputePipeline,
-    correct_heat: wgpu::ComputePipeline,
-    feed: wgpu::ComputePipeline,
+    guess_heat: ComputePipeline,
+    correct_heat: ComputePipeline,
+    feed: ComputePipeline,
 }
 
 /// What carries one component.
 #[derive(Debug)]
 struct Carrying {
-    guess: wgpu::ComputePipeline,
-    find: wgpu::ComputePipeline,
-    keep: wgpu::ComputePipeline,
+    guess: ComputePipeline,
+    find: ComputePipeline,
+    keep: ComputePipeline,
 }
 
 impl Carrying {
     fn new(
         gpu: &Gpu,
-        guess: wgpu::ShaderModuleDescriptor<'_>,
-        correct: wgpu::ShaderModuleDescriptor<'_>,
+        guess: wgpu::ShaderModuleDescriptor<'static>,
+        correct: wgpu::ShaderModuleDescriptor<'static>,
     ) -> Self {
         let slots = [
             Slot::Uniform,

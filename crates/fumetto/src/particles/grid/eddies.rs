@@ -5,7 +5,7 @@ use glam::Vec3;
 
 use super::Moment;
 use crate::{
-    gpu::{Frame, Gpu, Slot, kernels, shader, workgroups},
+    gpu::{ComputePipeline, Frame, Gpu, Slot, kernels, shader, workgroups},
     particles::{Emission, emission::shape_uniform},
 };
 
@@ -15,8 +15,8 @@ const EDDY_BYTES: u64 = 32;
 /// Long-lived kernels.
 #[derive(Debug)]
 pub(super) struct Stir {
-    ride: wgpu::ComputePipeline,
-    stir: wgpu::ComputePipeline,
+    ride: ComputePipeline,
+    stir: ComputePipeline,
 }
 
 /// All eddies of one object.

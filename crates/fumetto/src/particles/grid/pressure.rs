@@ -6,17 +6,17 @@ use glam::UVec3;
 use wgpu::util::DeviceExt as _;
 
 use super::Moment;
-use crate::gpu::{Frame, Gpu, Slot, kernels, shader};
+use crate::gpu::{ComputePipeline, Frame, Gpu, Slot, kernels, shader};
 
 /// Long-lived kernels.
 #[derive(Debug)]
 pub(super) struct Pressure {
-    divergence: wgpu::ComputePipeline,
-    smooth: wgpu::ComputePipeline,
-    coarsen: wgpu::ComputePipeline,
-    refine: wgpu::ComputePipeline,
-    coarsest: wgpu::ComputePipeline,
-    project: wgpu::ComputePipeline,
+    divergence: ComputePipeline,
+    smooth: ComputePipeline,
+    coarsen: ComputePipeline,
+    refine: ComputePipeline,
+    coarsest: ComputePipeline,
+    project: ComputePipeline,
 }
 
 /// All levels of one object's pressure.

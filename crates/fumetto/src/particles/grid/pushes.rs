@@ -1,14 +1,14 @@
 //! What accelerates the air: forces, heat, emitters, and vorticity confinement.
 
 use super::Moment;
-use crate::gpu::{Frame, Gpu, Slot, kernels, shader};
+use crate::gpu::{ComputePipeline, Frame, Gpu, Slot, kernels, shader};
 
 /// Long-lived kernels.
 #[derive(Debug)]
 pub(super) struct Pushes {
-    push: wgpu::ComputePipeline,
-    curl: wgpu::ComputePipeline,
-    confine: wgpu::ComputePipeline,
+    push: ComputePipeline,
+    curl: ComputePipeline,
+    confine: ComputePipeline,
 }
 
 impl Pushes {

@@ -4,7 +4,7 @@ use glam::Vec3;
 use half::f16;
 
 use super::{Moment, voxels::Voxels};
-use crate::gpu::{Frame, Gpu, Slot, kernels, shader};
+use crate::gpu::{ComputePipeline, Frame, Gpu, Slot, kernels, shader};
 
 /// Nothing moves faster, in m/s: half floats end at 65504.
 const FASTEST: f32 = 6e4;
@@ -12,7 +12,7 @@ const FASTEST: f32 = 6e4;
 /// The long-lived kernel.
 #[derive(Debug)]
 pub(super) struct Hold {
-    main: wgpu::ComputePipeline,
+    main: ComputePipeline,
 }
 
 /// What is solid in every cell.

@@ -17,7 +17,7 @@ use glam::Vec3;
 pub(super) use super::state::Particle;
 use crate::{Assets, Engine, Gpu, Player, gpu::read_buffer};
 
-/// Building all pipelines takes longer than most tests do: they share one engine.
+/// Making pipelines takes longer than most tests do: they share one engine.
 static ENGINE: LazyLock<Mutex<Engine>> =
     LazyLock::new(|| Mutex::new(Engine::new(pollster::block_on(Gpu::headless()).expect("a Vulkan driver"))));
 

@@ -4,15 +4,15 @@ use fumetto_scene::Force;
 
 use super::{Span, Swirl, swirl::Source};
 use crate::{
-    gpu::{Frame, Gpu, Slot, kernels, shader, workgroups},
+    gpu::{ComputePipeline, Frame, Gpu, Slot, kernels, shader, workgroups},
     particles::forces::forces_at,
 };
 
 /// Long-lived kernels.
 #[derive(Debug)]
 pub(super) struct Carry {
-    predict: wgpu::ComputePipeline,
-    complete: wgpu::ComputePipeline,
+    predict: ComputePipeline,
+    complete: ComputePipeline,
 }
 
 #[repr(C)]

@@ -3,7 +3,7 @@
 use fumetto_scene::limits::MIN_VORTEX_ROOM;
 
 use super::Swirl;
-use crate::gpu::{Frame, Gpu, Slot, kernels, shader};
+use crate::gpu::{ComputePipeline, Frame, Gpu, Slot, kernels, shader};
 
 /// Keys that one workgroup of `sort.wgsl` sorts by itself.
 const CHUNK: u32 = MIN_VORTEX_ROOM as u32;
@@ -13,13 +13,13 @@ const LEVELS: u32 = 8;
 /// Long-lived kernels.
 #[derive(Debug)]
 pub(super) struct Order {
-    bounds: wgpu::ComputePipeline,
-    keys: wgpu::ComputePipeline,
-    sort_chunks: wgpu::ComputePipeline,
-    compare: wgpu::ComputePipeline,
-    settle_chunks: wgpu::ComputePipeline,
-    leaves: wgpu::ComputePipeline,
-    nodes: wgpu::ComputePipeline,
+    bounds: ComputePipeline,
+    keys: ComputePipeline,
+    sort_chunks: ComputePipeline,
+    compare: ComputePipeline,
+    settle_chunks: ComputePipeline,
+    leaves: ComputePipeline,
+    nodes: ComputePipeline,
 }
 
 #[repr(C)]

@@ -4,7 +4,7 @@ use glam::{Vec3, Vec4};
 
 use super::{Span, Swirl, swirl::Source};
 use crate::{
-    gpu::{Frame, Gpu, Slot, kernels, shader, workgroups},
+    gpu::{ComputePipeline, Frame, Gpu, Slot, kernels, shader, workgroups},
     particles::{
         births::{Timetable, births_between},
         emission::shape_uniform,
@@ -14,7 +14,7 @@ use crate::{
 /// The long-lived kernel.
 #[derive(Debug)]
 pub(super) struct Rings {
-    main: wgpu::ComputePipeline,
+    main: ComputePipeline,
 }
 
 #[repr(C)]

@@ -1,7 +1,7 @@
 //! Draws triangles into the depth and id layers.
 
 use crate::{
-    gpu::{Frame, Gpu, RasterPipeline, Target, shader},
+    gpu::{Frame, Gpu, RasterPipeline, RenderPipeline, Target, shader},
     layers,
     shapes::puffs::Subject,
 };
@@ -10,12 +10,12 @@ use crate::{
 #[derive(Debug)]
 pub(crate) struct Body {
     /// For whole surfaces, and for those with holes.
-    pipelines: [wgpu::RenderPipeline; 2],
+    pipelines: [RenderPipeline; 2],
 }
 
 impl Body {
     pub(crate) fn new(gpu: &Gpu) -> Self {
-        let module = gpu.device.create_shader_module(shader!("shapes/mesh/body"));
+        let module = gpu.module(shader!("shapes/mesh/body"));
         let pipelines = [0.0, 1.0].map(|has_holes| {
             let pipeline = RasterPipeline {
                 label: "shapes.mesh.body",
@@ -24,7 +24,7 @@ impl Body {
                 constants: &[("HAS_HOLES", has_holes)],
                 ..Default::default()
             };
-            pipeline.build(&gpu.device, &module)
+            pipeline.build(&module)
         });
         Self { pipelines }
     }

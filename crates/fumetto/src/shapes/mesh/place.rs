@@ -1,12 +1,12 @@
 //! Takes models' vertices to where their parts stand.
 
 use super::MeshScene;
-use crate::gpu::{Frame, Gpu, Slot, kernels, shader, workgroups};
+use crate::gpu::{ComputePipeline, Frame, Gpu, Slot, kernels, shader, workgroups};
 
 /// The long-lived kernel.
 #[derive(Debug)]
 pub(crate) struct Place {
-    pipeline: wgpu::ComputePipeline,
+    pipeline: ComputePipeline,
 }
 
 impl Place {

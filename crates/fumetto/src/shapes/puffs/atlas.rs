@@ -114,10 +114,9 @@ impl Atlas {
 fn render(frame: &mut Frame<'_>, kinds: &[Puffs], tile_px: f32, target: &wgpu::TextureView) {
     let bundles = Bundles::new(kinds);
     let uniform = BundlesUniform { tile_px, extent: TILE_EXTENT, balls: bundles.balls_each, holes: HOLES };
-    let device = &frame.gpu.device;
-    let module = device.create_shader_module(shader!("shapes/puffs/atlas"));
+    let module = frame.gpu.module(shader!("shapes/puffs/atlas"));
     let pipeline = RasterPipeline { label: "shapes.puffs.atlas", targets: &[FORMAT], ..Default::default() }
-        .build(device, &module);
+        .build(&module);
     let uniform = frame.uniform("shapes.puffs.atlas.bundles", &uniform);
     let balls = frame.storage("shapes.puffs.atlas.balls", &bundles.balls);
     let holes = frame.storage("shapes.puffs.atlas.holes", &bundles.holes);
@@ -130,12 +129,10 @@ fn render(frame: &mut Frame<'_>, kinds: &[Puffs], tile_px: f32, target: &wgpu::T
 }
 
 fn heights(frame: &mut Frame<'_>, atlas: &wgpu::TextureView, size: [u32; 2]) -> wgpu::TextureView {
-    let device = &frame.gpu.device;
-    let module = device.create_shader_module(shader!("shapes/puffs/heights"));
+    let module = frame.gpu.module(shader!("shapes/puffs/heights"));
     let label = "shapes.puffs.heights";
-    let pipeline =
-        RasterPipeline { label, targets: &[HEIGHTS_FORMAT], ..Default::default() }.build(device, &module);
-    let texture = device.create_texture(&wgpu::TextureDescriptor {
+    let pipeline = RasterPipeline { label, targets: &[HEIGHTS_FORMAT], ..Default::default() }.build(&module);
+    let texture = frame.gpu.device.create_texture(&wgpu::TextureDescriptor {
         label: Some(label),
         size: wgpu::Extent3d { width: size[0], height: size[1], depth_or_array_layers: 1 },
         mip_level_count: 1,

@@ -11,7 +11,7 @@ use super::{
     atlas::{Atlas, HEIGHTS_SLOT},
     scene::Subject,
 };
-use crate::gpu::{Frame, Gpu, Slot, kernels, shader, workgroups};
+use crate::gpu::{ComputePipeline, Frame, Gpu, Slot, kernels, shader, workgroups};
 
 /// Width of a tile of the finest level, in pixels, and slices of depth. Also in `bins.wgsl`.
 const TILE_PX: u32 = 16;
@@ -72,11 +72,11 @@ pub(crate) struct Bins {
 /// Long-lived kernels.
 #[derive(Debug)]
 pub(crate) struct Binning {
-    project: wgpu::ComputePipeline,
-    count: wgpu::ComputePipeline,
-    place: wgpu::ComputePipeline,
-    cover: wgpu::ComputePipeline,
-    list: wgpu::ComputePipeline,
+    project: ComputePipeline,
+    count: ComputePipeline,
+    place: ComputePipeline,
+    cover: ComputePipeline,
+    list: ComputePipeline,
 }
 
 #[repr(C)]

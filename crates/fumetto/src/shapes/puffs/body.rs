@@ -5,30 +5,30 @@ use super::{
     scene::Subject,
 };
 use crate::{
-    gpu::{Frame, Gpu, RasterPipeline, Slot, kernels, shader},
+    gpu::{ComputePipeline, Frame, Gpu, RasterPipeline, RenderPipeline, Slot, kernels, shader},
     layers::{self, Layers},
 };
 
 /// Long-lived pipelines.
 #[derive(Debug)]
 pub(crate) struct Body {
-    alone: wgpu::ComputePipeline,
-    among: wgpu::ComputePipeline,
-    fill: wgpu::RenderPipeline,
+    alone: ComputePipeline,
+    among: ComputePipeline,
+    fill: RenderPipeline,
 }
 
 impl Body {
     pub(crate) fn new(gpu: &Gpu) -> Self {
         let slots: Vec<_> = WALK_SLOTS.into_iter().chain([Slot::Depth]).collect();
         let [alone, among] = kernels(gpu, shader!("shapes/puffs/nearest"), &slots, ["alone", "among"]);
-        let module = gpu.device.create_shader_module(shader!("shapes/puffs/fill"));
+        let module = gpu.module(shader!("shapes/puffs/fill"));
         let fill = RasterPipeline {
             label: "shapes.puffs.fill",
             targets: &[layers::ID_FORMAT],
             depth: Some(layers::nearest_wins()),
             ..Default::default()
         };
-        Self { alone, among, fill: fill.build(&gpu.device, &module) }
+        Self { alone, among, fill: fill.build(&module) }
     }
 
     /// Draws what `bins` lists; `is_empty` tells that there is nothing in `layers` yet.

@@ -1,15 +1,15 @@
 //! The form of each cloud, as a field of outward directions.
 
 use super::scene::PuffScene;
-use crate::gpu::{Frame, Gpu, Slot, kernels, shader, workgroups};
+use crate::gpu::{ComputePipeline, Frame, Gpu, Slot, kernels, shader, workgroups};
 
 /// Long-lived kernels.
 #[derive(Debug)]
 pub(crate) struct Form {
-    measure: wgpu::ComputePipeline,
-    splat: wgpu::ComputePipeline,
-    blur: [wgpu::ComputePipeline; 3],
-    gradient: wgpu::ComputePipeline,
+    measure: ComputePipeline,
+    splat: ComputePipeline,
+    blur: [ComputePipeline; 3],
+    gradient: ComputePipeline,
 }
 
 /// The fields of all objects of a scene.

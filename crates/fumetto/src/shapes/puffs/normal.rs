@@ -2,14 +2,14 @@
 
 use super::{atlas::Atlas, scene::Subject};
 use crate::{
-    gpu::{Frame, Gpu, RasterPipeline, Target, Transient, shader},
+    gpu::{Frame, Gpu, RasterPipeline, RenderPipeline, Target, Transient, shader},
     layers::{self, Layers},
 };
 
 /// The long-lived pipeline.
 #[derive(Debug)]
 pub(crate) struct Normal {
-    pipeline: wgpu::RenderPipeline,
+    pipeline: RenderPipeline,
 }
 
 #[repr(C)]
@@ -23,13 +23,13 @@ struct SamplingUniform {
 
 impl Normal {
     pub(crate) fn new(gpu: &Gpu) -> Self {
-        let module = gpu.device.create_shader_module(shader!("shapes/puffs/normal"));
+        let module = gpu.module(shader!("shapes/puffs/normal"));
         let pipeline = RasterPipeline {
             label: "shapes.puffs.normal",
             targets: &[layers::NORMAL_FORMAT],
             ..Default::default()
         };
-        Self { pipeline: pipeline.build(&gpu.device, &module) }
+        Self { pipeline: pipeline.build(&module) }
     }
 
     /// One normal for every `step`-th pixel of every `step`-th row.

@@ -4,7 +4,7 @@ use bytemuck::{Pod, Zeroable};
 use fumetto_scene::{Emitter, Particle};
 
 use crate::{
-    gpu::{Frame, Gpu, Slot, kernels, shader, workgroups},
+    gpu::{ComputePipeline, Frame, Gpu, Slot, kernels, shader, workgroups},
     particles::Emission,
 };
 
@@ -41,7 +41,7 @@ pub(crate) struct Placement {
 /// The long-lived kernel.
 #[derive(Debug)]
 pub(crate) struct Present {
-    pipeline: wgpu::ComputePipeline,
+    pipeline: ComputePipeline,
 }
 
 #[repr(C)]

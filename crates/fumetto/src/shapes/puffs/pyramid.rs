@@ -1,6 +1,6 @@
 //! The occlusion pyramid over the depth layer: how near everything in each cell of the screen is at least.
 
-use crate::gpu::{Frame, Gpu, Slot, kernels, shader};
+use crate::gpu::{ComputePipeline, Frame, Gpu, Slot, kernels, shader};
 
 /// Width of a cell of the finest level, in pixels. Also in `pyramid.wgsl`.
 const CELL_PX: u32 = 4;
@@ -12,9 +12,9 @@ const TOP_CELLS: u32 = 1024;
 /// Long-lived kernels.
 #[derive(Debug)]
 pub(crate) struct Reduce {
-    pixels: wgpu::ComputePipeline,
-    cells: wgpu::ComputePipeline,
-    top: wgpu::ComputePipeline,
+    pixels: ComputePipeline,
+    cells: ComputePipeline,
+    top: ComputePipeline,
     nearest: wgpu::Sampler,
 }
 

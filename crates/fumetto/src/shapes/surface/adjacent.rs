@@ -1,12 +1,12 @@
 //! Which triangles meet at an edge, for surfaces that throw shadows.
 
 use super::Job;
-use crate::gpu::{Frame, Gpu, Slot, kernels, shader};
+use crate::gpu::{ComputePipeline, Frame, Gpu, Slot, kernels, shader};
 
 /// The long-lived kernel.
 #[derive(Debug)]
 pub(super) struct Adjacent {
-    pipeline: wgpu::ComputePipeline,
+    pipeline: ComputePipeline,
 }
 
 impl Adjacent {

@@ -1,7 +1,7 @@
 //! Which particles touch which block.
 
 use super::{Job, scan::Scan};
-use crate::gpu::{Frame, Gpu, Slot, folded, kernels, shader};
+use crate::gpu::{ComputePipeline, Frame, Gpu, Slot, folded, kernels, shader};
 
 /// Invocations that keep a device busy.
 const BUSY: u32 = 1 << 14;
@@ -14,8 +14,8 @@ pub(super) fn sharers(count: u32) -> u32 {
 /// Long-lived kernels.
 #[derive(Debug)]
 pub(super) struct Bins {
-    count: wgpu::ComputePipeline,
-    scatter: wgpu::ComputePipeline,
+    count: ComputePipeline,
+    scatter: ComputePipeline,
 }
 
 impl Bins {

@@ -1,14 +1,14 @@
 //! Which blocks the surface can cross: only these do any further work.
 
 use super::{Job, scan::Scan};
-use crate::gpu::{Frame, Gpu, Slot, kernels, shader, workgroups};
+use crate::gpu::{ComputePipeline, Frame, Gpu, Slot, kernels, shader, workgroups};
 
 /// Long-lived kernels.
 #[derive(Debug)]
 pub(super) struct Blocks {
-    classify: wgpu::ComputePipeline,
-    enlist: wgpu::ComputePipeline,
-    dispatch: wgpu::ComputePipeline,
+    classify: ComputePipeline,
+    enlist: ComputePipeline,
+    dispatch: ComputePipeline,
 }
 
 impl Blocks {

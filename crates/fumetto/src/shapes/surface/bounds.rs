@@ -1,7 +1,7 @@
 //! Puffs become blobs, and the lattice is laid around them.
 
 use super::{Job, order::are_many};
-use crate::gpu::{Frame, Gpu, Slot, folded, kernels, shader};
+use crate::gpu::{ComputePipeline, Frame, Gpu, Slot, folded, kernels, shader};
 
 /// Particles that one workgroup of `bounds.wgsl` weighs.
 pub(super) const STRETCH: u32 = 1024;
@@ -9,8 +9,8 @@ pub(super) const STRETCH: u32 = 1024;
 /// Long-lived kernels.
 #[derive(Debug)]
 pub(super) struct Bounds {
-    weigh: wgpu::ComputePipeline,
-    fit: wgpu::ComputePipeline,
+    weigh: ComputePipeline,
+    fit: ComputePipeline,
 }
 
 impl Bounds {

@@ -5,14 +5,14 @@
 
 use super::{Job, noisy::Noisy};
 use crate::{
-    gpu::{Frame, Gpu, Slot, kernels, linear_sampler, shader, workgroups},
+    gpu::{ComputePipeline, Frame, Gpu, Slot, kernels, linear_sampler, shader, workgroups},
     shapes::{mesh::Reserved, volume::BrickField},
 };
 
 /// Long-lived kernels.
 #[derive(Debug)]
 pub(super) struct Bricks {
-    classify: wgpu::ComputePipeline,
+    classify: ComputePipeline,
     signs: Noisy,
     vertices: Noisy,
     linear: wgpu::Sampler,

@@ -1,13 +1,13 @@
 //! What the surface is in each cell of the active blocks: its case, and how much comes of it.
 
 use super::{Job, noisy::Noisy, scan::Scan};
-use crate::gpu::{Frame, Gpu, Slot, kernels, shader, workgroups};
+use crate::gpu::{ComputePipeline, Frame, Gpu, Slot, kernels, shader, workgroups};
 
 /// Long-lived kernels.
 #[derive(Debug)]
 pub(super) struct Cells {
     signs: Noisy,
-    cells: wgpu::ComputePipeline,
+    cells: ComputePipeline,
 }
 
 impl Cells {

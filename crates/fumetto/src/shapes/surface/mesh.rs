@@ -2,17 +2,17 @@
 
 use super::{Job, noisy::Noisy};
 use crate::{
-    gpu::{Frame, Gpu, Slot, kernels, shader},
+    gpu::{ComputePipeline, Frame, Gpu, Slot, kernels, shader},
     shapes::mesh::Reserved,
 };
 
 /// Long-lived kernels.
 #[derive(Debug)]
 pub(super) struct Meshing {
-    counters: wgpu::ComputePipeline,
+    counters: ComputePipeline,
     vertices: Noisy,
     careful: Noisy,
-    triangles: wgpu::ComputePipeline,
+    triangles: ComputePipeline,
 }
 
 impl Meshing {

@@ -1,14 +1,14 @@
 //! Kernels that are built twice: for fields with noise, and for those without.
 
-use crate::gpu::{Gpu, Slot, kernels_with};
+use crate::gpu::{ComputePipeline, Gpu, Slot, kernels_with};
 
 /// A kernel, without noise and with it.
 #[derive(Debug)]
-pub(super) struct Noisy([wgpu::ComputePipeline; 2]);
+pub(super) struct Noisy([ComputePipeline; 2]);
 
 impl Noisy {
     /// Of a program's entry `main`.
-    pub(super) fn new(gpu: &Gpu, program: &wgpu::ShaderModuleDescriptor<'_>, slots: &[Slot]) -> Self {
+    pub(super) fn new(gpu: &Gpu, program: &wgpu::ShaderModuleDescriptor<'static>, slots: &[Slot]) -> Self {
         Self([0.0, 1.0].map(|noisy| {
             let [kernel] = kernels_with(gpu, program.clone(), slots, ["main"], &[("NOISY", noisy)]);
             kernel

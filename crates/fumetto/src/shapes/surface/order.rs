@@ -1,7 +1,7 @@
 //! Brings particles that lie near each other together in memory, where there are very many.
 
 use super::{Job, scan::Scan};
-use crate::gpu::{Frame, Gpu, Slot, folded, kernels, shader};
+use crate::gpu::{ComputePipeline, Frame, Gpu, Slot, folded, kernels, shader};
 
 /// Fewer stay in a processor's caches in any order: they take a megabyte.
 const MANY: u32 = 1 << 15;
@@ -16,8 +16,8 @@ pub(super) const fn are_many(count: u32) -> bool {
 /// Long-lived kernels.
 #[derive(Debug)]
 pub(super) struct Order {
-    count: wgpu::ComputePipeline,
-    settle: wgpu::ComputePipeline,
+    count: ComputePipeline,
+    settle: ComputePipeline,
 }
 
 impl Order {

@@ -1,14 +1,14 @@
 //! Which regions of the lattice particles touch: only these have blocks.
 
 use super::{Job, bins::sharers, scan::Scan};
-use crate::gpu::{Frame, Gpu, Slot, folded, kernels, shader, workgroups};
+use crate::gpu::{ComputePipeline, Frame, Gpu, Slot, folded, kernels, shader, workgroups};
 
 /// Long-lived kernels.
 #[derive(Debug)]
 pub(super) struct Regions {
-    mark: wgpu::ComputePipeline,
-    choose: wgpu::ComputePipeline,
-    keep: wgpu::ComputePipeline,
+    mark: ComputePipeline,
+    choose: ComputePipeline,
+    keep: ComputePipeline,
 }
 
 impl Regions {

@@ -1,6 +1,6 @@
 //! Sums of all that comes before each item of a list.
 
-use crate::gpu::{Frame, Gpu, Slot, kernels, shader, workgroups};
+use crate::gpu::{ComputePipeline, Frame, Gpu, Slot, kernels, shader, workgroups};
 
 /// Items that one invocation of `scan.wgsl` looks at.
 pub(super) const RUN: u32 = 32;
@@ -14,13 +14,13 @@ pub(super) struct Scan {
 
 #[derive(Debug)]
 struct Kernels {
-    reduce: wgpu::ComputePipeline,
-    sum_runs: wgpu::ComputePipeline,
-    spread: wgpu::ComputePipeline,
+    reduce: ComputePipeline,
+    sum_runs: ComputePipeline,
+    spread: ComputePipeline,
 }
 
 impl Kernels {
-    fn new(gpu: &Gpu, program: wgpu::ShaderModuleDescriptor<'_>) -> Self {
+    fn new(gpu: &Gpu, program: wgpu::ShaderModuleDescriptor<'static>) -> Self {
         let slots = [Slot::Uniform, Slot::Read, Slot::Write, Slot::Write];
         let [reduce, sum_runs, spread] = kernels(gpu, program, &slots, ["reduce", "sum_runs", "spread"]);
         Self { reduce, sum_runs, spread }

@@ -5,16 +5,16 @@ use super::{
     field::{CellField, Field, view},
     recipe::RecipeUniform,
 };
-use crate::gpu::{Frame, Gpu, Slot, kernels, linear_sampler, shader};
+use crate::gpu::{ComputePipeline, Frame, Gpu, Slot, kernels, linear_sampler, shader};
 
 /// Long-lived kernels.
 #[derive(Debug)]
 pub(crate) struct Volume {
-    bounds: wgpu::ComputePipeline,
-    matter: wgpu::ComputePipeline,
-    occupied: wgpu::ComputePipeline,
-    transmit: wgpu::ComputePipeline,
-    transmit_bricks: wgpu::ComputePipeline,
+    bounds: ComputePipeline,
+    matter: ComputePipeline,
+    occupied: ComputePipeline,
+    transmit: ComputePipeline,
+    transmit_bricks: ComputePipeline,
     linear: wgpu::Sampler,
 }
 

@@ -8,7 +8,7 @@ use super::{
     scene::{Made, VolumeScene},
 };
 use crate::{
-    gpu::{Frame, Gpu, RasterPipeline, Target, Transient, linear_sampler, shader},
+    gpu::{Frame, Gpu, RasterPipeline, RenderPipeline, Target, Transient, linear_sampler, shader},
     layers::{self, Layers},
     shapes::puffs::Subject,
 };
@@ -16,18 +16,16 @@ use crate::{
 /// Long-lived pipelines.
 #[derive(Debug)]
 pub(crate) struct March {
-    march: wgpu::RenderPipeline,
-    march_bricks: wgpu::RenderPipeline,
-    spread: wgpu::RenderPipeline,
-    place: wgpu::RenderPipeline,
+    march: RenderPipeline,
+    march_bricks: RenderPipeline,
+    spread: RenderPipeline,
+    place: RenderPipeline,
     linear: wgpu::Sampler,
 }
 
 impl March {
     pub(crate) fn new(gpu: &Gpu) -> Self {
-        let build = |program, pipeline: RasterPipeline<'_>| {
-            pipeline.build(&gpu.device, &gpu.device.create_shader_module(program))
-        };
+        let build = |program, pipeline: RasterPipeline<'_>| pipeline.build(&gpu.module(program));
         let targets = &[layers::HITS_FORMAT, layers::LIGHT_FORMAT, layers::SOFT_FORMAT];
         let march = |label| RasterPipeline { label, targets, ..Default::default() };
         let place = RasterPipeline {

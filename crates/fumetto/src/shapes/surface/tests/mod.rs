@@ -29,7 +29,7 @@ use crate::{
     },
 };
 
-/// Building all pipelines takes longer than most tests do: they share them.
+/// Making pipelines takes longer than most tests do: they share them.
 static BENCH: LazyLock<Mutex<Bench>> = LazyLock::new(|| {
     let gpu = pollster::block_on(Gpu::headless()).expect("a Vulkan driver");
     let surface = Surface::new(&gpu);

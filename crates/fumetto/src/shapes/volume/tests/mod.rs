@@ -23,7 +23,7 @@ use crate::{
     shapes::puffs::Subject,
 };
 
-/// Building all pipelines takes longer than most tests do: they share them.
+/// Making pipelines takes longer than most tests do: they share them.
 static BENCH: LazyLock<Mutex<Bench>> = LazyLock::new(|| {
     let engine = Engine::new(pollster::block_on(Gpu::headless()).expect("a Vulkan driver"));
     let march = March::new(engine.gpu());
